@@ -1,4 +1,4 @@
-// Code that commands which speak to a running node share.
+// Code shared by the commands that communicate with a running node.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -21,20 +21,20 @@ inline void noteOpenness(const std::string& command) {
   }
 }
 
-/// Call a service that makes the component new, unless its name is empty. Throws PlayError.
+/// Calls a service that resets the component, unless the name is empty. Throws PlayError.
 inline void resetComponent(const ros::NodeHandle& handle, const std::string& service) {
-  constexpr double kPatience = 30.0;  // [s]; a node has its topics before its services
+  constexpr double kPatience = 30.0;  // [s]; a node advertises its topics before its services
   const std::string refusal = service.empty() ? "" : ros_interface::callTrigger(handle.resolveName(service), kPatience);
   element::refuseIf<ros_interface::PlayError>(!refusal.empty(), "{}", refusal);
 }
 
-/// A player that tells now and then what it waits for.
+/// Returns the options with a callback that prints notes on what the player waits for.
 inline ros_interface::PlayOptions withNotes(ros_interface::PlayOptions play, const std::string& command) {
   play.notify = [command](const std::string& text) { command_line::printNote(command, text); };
   return play;
 }
 
-/// The options of a player; the partner is who answers it.
+/// Returns the options of a player; `partner` names the program that answers.
 inline command_line::OptionTable playerTable(ros_interface::PlayOptions& play, const std::string& partner) {
   using command_line::Option;
   return {Option("--playback-speed", play.rate, "FACTOR",

@@ -1,4 +1,4 @@
-// The command `benchmark`: how long the library takes on this machine.
+// The command `benchmark`: measures the time that the library takes on this machine.
 #include "benchmark/own_work.h"
 #include "command_line/command.h"
 

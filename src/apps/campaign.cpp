@@ -1,4 +1,4 @@
-// campaign: many diagnoses, estimates or replays as one task, by one machine or by a cluster.
+// The command `campaign`: many diagnoses, estimates or replays as one task, on one machine or on a cluster.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -78,8 +78,8 @@ ros_interface::ForceReference referenceFor(const Options& options, const log::Lo
 
 struct Outcome {
   std::vector<ros_interface::TestCase> cases;
-  std::vector<gap::ComparedForce> compared;  ///< empty where there was nothing to compare
-  io::Figure figure;                         ///< without axes where there was nothing to compare
+  std::vector<gap::ComparedForce> compared;  ///< empty if nothing was compared
+  io::Figure figure;                         ///< without axes if nothing was compared
 };
 
 Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
@@ -107,7 +107,7 @@ Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
   return outcome;
 }
 
-// Whatever keeps the check from being made is a failure of it, and belongs into the report.
+// An error that prevents the check is a failure of the check and is reported like one.
 Outcome checkOrFail(ros_interface::RosCommandLine& line, const Options& options) {
   try {
     return check(line, options);
@@ -120,7 +120,7 @@ Outcome checkOrFail(ros_interface::RosCommandLine& line, const Options& options)
 
 int run(ros_interface::RosCommandLine& line, const Options& options) {
   const std::string path = reportPath(options);
-  options.agreement.limits();  // which may be wrong usage: before anything is played
+  options.agreement.limits();  // throws UsageError before anything is played
   options.log_options.requireUse({options.log});
   const Outcome outcome = checkOrFail(line, options);
   if (!path.empty()) {

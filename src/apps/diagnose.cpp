@@ -1,5 +1,5 @@
-// diagnose: where the simulation differs from measured logs, which unmodelled effect causes it, how far the gap
-// shrinks.
+// The command `diagnose`: finds where the simulation differs from measured logs, which unmodelled effect causes this,
+// and how far the gap shrinks.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -28,7 +28,7 @@ namespace {
 using namespace command_line;
 
 io::FileKind kindOf(const std::string& name) {
-  // By name, or by extension.
+  // By the whole name, or by the extension.
   static const std::map<std::string, io::FileKind> kinds = {{"plan.json", io::file_kind::plan_json},
                                                             {"plan.html", io::file_kind::plan_html},
                                                             {"missing_force.csv", io::file_kind::force_map_csv},
@@ -42,7 +42,7 @@ io::FileKind kindOf(const std::string& name) {
   return found != kinds.end() ? found->second : kinds.at(std::filesystem::path(name).extension().string());
 }
 
-// The files of the report, and those that stand beside it where the diagnosis has reason to write them.
+// Returns all files that the report may consist of.
 Files reportFiles(const DiagnoseOptions& options) {
   Files files;
   const auto add = [&](const std::filesystem::path& folder, const std::vector<std::string>& names) {

@@ -1,5 +1,5 @@
-// Prints the parameters of components, estimated from a specification or found from measured logs, and their stiffness
-// and loss angle over frequency and amplitude; turns data sheets into component files.
+// The command `estimate`: prints the parameters of components, estimated from a specification or identified from logs,
+// with stiffness and loss angle over frequency and amplitude; turns data sheets into component files.
 #include "command/estimate.h"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ struct Options {
   OptionTable table();
 };
 
-// Each way to estimate takes some of the options; none is passed over.
+// Each way to estimate uses some of the options and refuses the others.
 OptionTable Options::table() {
   OptionTable options = {
       Option("--config", config, "FILE", "component file").reads(),
@@ -160,7 +160,7 @@ command::EstimateReport reportOf(const io::ComponentDescription& component, cons
   return report;
 }
 
-// For a figure: as many points as a curve without kinks takes.
+// Returns reports with enough points for smooth curves in a figure.
 std::vector<command::EstimateReport> smoothReports(const std::vector<io::ComponentDescription>& components,
                                                    command::SweepOptions sweeps, std::optional<double> sensitivity) {
   constexpr int kSmooth = 61;
@@ -231,7 +231,7 @@ int fitToTable(const Options& options) {
   return kSuccess;
 }
 
-// "--amplitude 5" is 5 m.
+// Warns of amplitudes in the wrong unit: "--amplitude 5" means 5 m.
 void warnOfAmplitudes(const io::ComponentDescription& component, const command::SweepOptions& sweeps) {
   const gap::MotionScale scale = gap::motionScaleOf(component);
   for (const auto& [option, amplitude] :
@@ -264,7 +264,7 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
   }
 }
 
-// Before any file is written.
+// Called before any file is written.
 void checkStateSpace(const std::string& path, std::size_t components) {
   element::refuseIf<UsageError>(
       !path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1),

@@ -1,4 +1,4 @@
-// The command `half_bogie`: a vehicle on rubber components, stepped with their forces from the library or over topics.
+// The command `half_bogie`: simulates a vehicle on rubber components with forces from the library or over topics.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -57,7 +57,7 @@ Scene sceneOf(const Options& options) {
   return scene;
 }
 
-// The partner of the loop: the node, or the library.
+// Returns the source of the forces: the node or the library.
 std::unique_ptr<Exchange> partner(ros_interface::RosCommandLine& line, const Options& options, Kind kind,
                                   const Bushes& components) {
   if (options.forces == "library") {

@@ -112,7 +112,7 @@ ros_interface::RecordPaths recordPaths(const Options& options, const std::string
   return paths;
 }
 
-// The log itself has the stamps and temperatures of the poses, which all players need.
+// `log` receives the stamps and temperatures of the poses, which all players need.
 ros_interface::BenchTrack poseTrack(const Options& options, const std::string& component, const std::string& path) {
   ros_interface::BenchTrack track;
   track.component = component;
@@ -125,7 +125,7 @@ ros_interface::BenchTrack poseTrack(const Options& options, const std::string& c
   return track;
 }
 
-// Without a measured force there is no gap to record.
+// Records no gap if the log has no measured force.
 ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   ros_interface::BenchTrack track;
   track.component = options.components[i];
@@ -143,7 +143,7 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   return track;
 }
 
-// Files that --output and its like name may lie in the folder, too; the folder itself is new.
+// Checks the records in the new folder together with the files of --output and the like, which may lie in it.
 void checkRecords(const Options& options) {
   std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::file_kind::figure}};
   for (const std::string& component : options.components) {
@@ -189,7 +189,7 @@ std::string describe(const ros_interface::BenchCount& count) {
   return count.gaps > 0 ? text + fmt::format("; gap published {} times", count.gaps) : text;
 }
 
-// A playback without end ends by being interrupted; any other has to come to its end.
+// Returns the failure, if any. Only an endless playback may be interrupted.
 std::string failureOf(const ros_interface::BenchCount& count, bool endless) {
   if (!count.exactlyOneEach()) {
     return "not every sample had exactly one force";

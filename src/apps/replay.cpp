@@ -1,4 +1,4 @@
-// replay: simulates a component on a recorded log, offline, to the last bit as the node does.
+// The command `replay`: simulates a component on a recorded log, with the same forces as the node to the last bit.
 #include "rubber_suspension/gap/replay.h"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ void noteBridged(const Options& options, std::uint64_t bridged) {
   }
 }
 
-// The agreement of each direction that was measured.
+// Returns the agreement of each measured direction.
 std::vector<gap::ComparedForce> compare(const log::Log& log, const gap::Replay& replay,
                                         const gap::AgreementLimits& limits) {
   return {{"", gap::agreementOf(log, replay.force), limits}};
@@ -86,7 +86,7 @@ std::vector<gap::ComparedForce> compare(const log::PoseLog& log, const gap::Pose
   return compared;
 }
 
-// Exit status 1 where a figure is beyond its limit.
+// Returns exit status 1 if a figure exceeds its limit.
 int publishAgreement(const Options& options, const std::string& component,
                      const std::vector<gap::ComparedForce>& compared) {
   options.agreement.write(component, options.log, compared);
@@ -108,7 +108,7 @@ int publish(const Options& options, const std::string& component, const Log& log
             const std::string& summary) {
   const std::vector<gap::ComparedForce> compared =
       options.compare ? compare(log, replay, options.agreement.limits()) : std::vector<gap::ComparedForce>();
-  // Only once nothing of the log can be refused any more.
+  // Nothing is written before all checks of the log have passed.
   during("writing " + options.output, [&] { write(options.output, log, loads); });
   drawPlot(options.plot, [&] { return gap::replayFigure(component, log, loads); });
   std::cout << summary << "\n" << options.output << '\n';
@@ -130,7 +130,7 @@ int runPoses(const Options& options, const io::ComponentDescription& description
 }
 
 int run(const Options& options) {
-  options.agreement.limits();  // which may be wrong usage: before anything is read
+  options.agreement.limits();  // throws UsageError before anything is read
   options.log_options.requireUse({options.log});
   const io::ComponentDescription description = options.component.readAny("replay");
   if (description.six) {

@@ -23,12 +23,12 @@ namespace fs = std::filesystem;
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
-// Beside this program's folder, wherever it was installed or linked to.
+// Returns the folder of the programs, relative to this program even if it was called through a link.
 fs::path programsFolder() {
   return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" / "rubber_suspension";
 }
 
-// A devel space has no copies of the scripts: a file says where they are.
+// A devel space has no copies of the scripts; a file contains the path of their folder.
 fs::path programPath(const std::string& name) {
   fs::path program = programsFolder() / name;
   std::ifstream elsewhere(programsFolder() / "scripts_folder.txt");
@@ -41,14 +41,14 @@ int fail(int status, const std::string& message) {
   return status;
 }
 
-// Scripts find the Python module of the same space, whether its setup.sh was read or not.
+// Lets scripts find the Python module of the same space even if its setup.sh was not sourced.
 void addPythonModule() {
   const char* others = std::getenv("PYTHONPATH");
   const std::string own = (programsFolder().parent_path() / "python3" / "dist-packages").string();
   setenv("PYTHONPATH", (others == nullptr ? own : own + ":" + others).c_str(), 1);
 }
 
-// Becomes the program, so that its exit status and signals are its own.
+// Replaces this process by the program, whose exit status and signals then are its own.
 int become(const std::string& name, char** arguments) {
   addPythonModule();
   const std::string program = programPath(name).string();

@@ -1,4 +1,4 @@
-// The node as the partner of a vehicle that steps at fixed times: the bundled topics.
+// Exchange of a vehicle that steps at fixed times with the node, over the bundled topics.
 #pragma once
 
 #include <deque>
@@ -12,8 +12,8 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Exchange over either kind of bundle. It waits for the node of the components, and calls its service `reset` unless
-/// that is empty. Throws BundleError.
+/// Exchange over either kind of bundle. The constructor waits for the node and calls its service `reset` unless the
+/// name is empty. Throws BundleError.
 template <class Client>
 class TopicExchange : public Exchange {
  public:
@@ -25,7 +25,7 @@ class TopicExchange : public Exchange {
   }
 
  protected:
-  static constexpr std::int64_t kFirstStamp = 1000000000;  // [ns]; 0 stands for "no stamp" in many a tool
+  static constexpr std::int64_t kFirstStamp = 1000000000;  // [ns]; many tools interpret 0 as "no stamp"
 
   Client client_;
 };
@@ -62,7 +62,7 @@ class StrutExchange final : public TopicExchange<ros_interface::BundleClient> {
     std::vector<double> displacements;
     sent_.emplace_back(stamp, Poses());
     for (std::size_t i = 0; i < struts_.size(); ++i) {
-      // Through a quaternion and back, as a component in the same process gets it.
+      // Converted to a quaternion and back, as for a component in the same process.
       const auto pose = component::poseOf(poses[i].translation(), Eigen::Quaterniond(poses[i].linear()));
       displacements.push_back(struts_[i].coordinates(pose)[component::kZ]);
       sent_.back().second.push_back(pose);

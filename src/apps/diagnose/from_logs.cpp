@@ -1,4 +1,4 @@
-// diagnose from measured logs, of one direction or of several.
+// `diagnose` with measured logs, of one direction or of several.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ OpenedLogs openLogs(const std::vector<std::string>& paths, const io::ComponentDe
   return opened;
 }
 
-// The path of each log, and whether the log has a temperature.
+// The path of each log, and true if the log has a temperature.
 using Temperatures = std::vector<std::pair<std::string, bool>>;
 
 // Prints the notes of logs that were read, and appends their temperatures.
@@ -55,7 +55,7 @@ void printNotes(const OpenedLogs& logs, const Surveys& surveys, const io::Compon
   }
 }
 
-// One log without a temperature is enough that nothing can be said of heat.
+// Effects of temperature are found only if all logs have a temperature.
 void warnOfSomeTemperatures(const Temperatures& temperatures) {
   const auto has = [](const auto& log) { return log.second; };
   const auto one = std::find_if(temperatures.begin(), temperatures.end(), has);
@@ -78,7 +78,6 @@ diagnosis::ExperimentLimits limitsOf(const std::vector<std::string>& assignments
   return limits;
 }
 
-// Settings of a search.
 diagnosis::DiagnosisOptions settingsOf(const DiagnoseOptions& options) {
   diagnosis::DiagnosisOptions settings;
   settings.limits = limitsOf(options.limits);
@@ -90,7 +89,7 @@ diagnosis::DiagnosisOptions settingsOf(const DiagnoseOptions& options) {
   return settings;
 }
 
-// With the tolerances of the rig in the directions that are diagnosed.
+// Returns the component with the tolerances of the rig in the directions that are diagnosed.
 io::ComponentDescription sixDirections(const DiagnoseOptions& options,
                                        const std::vector<component::Direction>& directions) {
   io::ComponentDescription component = options.component.readAny("diagnose");
@@ -123,7 +122,7 @@ std::vector<log::PoseLog> readPoseLogs(const std::vector<std::string>& paths, co
   return logs;
 }
 
-// The component, which has one direction.
+// Returns the component; throws UsageError if it has six directions.
 io::ComponentDescription oneDirection(const DiagnoseOptions& options) {
   io::ComponentDescription component = options.component.readAny("diagnose");
   if (component.six) {

@@ -1,4 +1,4 @@
-// The options of `diagnose`, and what its kinds of runs share.
+// The options of `diagnose`, and functions that its kinds of runs share.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace rubber_suspension::apps {
 
-/// The command line.
+/// The options of the command line.
 struct DiagnoseOptions {
   std::vector<std::string> command_line;
   command_line::ComponentOptions component;
@@ -32,8 +32,8 @@ struct DiagnoseOptions {
   std::vector<std::string> plan;
   std::string table_path;
   std::vector<std::string> uncertainty;
-  double effect_size = 0.1;  // of the standard deviation of the force
-  double noise = 0.005;      // likewise
+  double effect_size = 0.1;  // share of the force's standard deviation [-]
+  double noise = 0.005;      // share of the force's standard deviation [-]
   std::uint64_t most_samples = diagnosis::kMostSamples;
   int threads = 2;
   command_line::LogOptions log_options;
@@ -41,20 +41,20 @@ struct DiagnoseOptions {
   command_line::OptionTable table();
 };
 
-/// A share such as "10 %" or 0.1, within these bounds.
+/// Returns the target of an option for a share such as "10 %" or 0.1, within these bounds.
 command_line::Quantity share(double& value, double least, double most);
 
-/// To a terminal alone.
+/// Show and clear the progress, only on a terminal.
 void showStage(const std::string& stage, double fraction);
 void clearStage();
 
-/// Version, date, command line and every file that is read.
+/// Returns version, date, command line and every file that is read.
 diagnosis::RunRecord runRecord(const DiagnoseOptions& options);
 
 /// Applies the tolerances of --rig.
 void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component);
 
-/// The line on excerpts for the terminal; empty where all samples were searched.
+/// Returns the line on excerpts for the terminal; empty if all samples were searched.
 std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis);
 
 std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOptions& options);
@@ -67,7 +67,7 @@ std::string writtenReport(const std::string& folder, const std::string& name, co
 int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::report::EarlierReport>& earlier,
             const DiagnoseOptions& options);
 
-/// The runs, each of which returns the exit status.
+/// The kinds of runs; each returns the exit status.
 int runLogs(const DiagnoseOptions& options);
 int runDirections(const DiagnoseOptions& options);
 int runPlan(const DiagnoseOptions& options);

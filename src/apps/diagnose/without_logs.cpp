@@ -1,4 +1,4 @@
-// diagnose without logs: what programmes would show, and what a measured table shows.
+// `diagnose` without logs: predicts what displacement programmes would show, and diagnoses measured tables.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const io::
   return logs;
 }
 
-// Relative uncertainty of K* from those of its magnitude and its phase, which are orthogonal in the complex plane.
+// Combines the relative uncertainties of magnitude and phase of K*, which are orthogonal in the complex plane.
 std::optional<double> uncertaintyOf(const std::vector<std::string>& texts) {
   if (texts.empty()) {
     return std::nullopt;
