@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes what follows from the --help-all of the commands: man pages, the completion of rubber-suspension for bash, the
+"""Generates files from the --help-all of the commands: man pages, the completion of rubber-suspension for bash, the
 list that its --help prints, and the page docs/commands.md.
 
 Usage: command_pages.py VERSION FOLDER PROGRAM...
@@ -14,7 +14,7 @@ import sys
 import textwrap
 
 WIDTH, INDENT = 100, 20  # of the list of commands
-# Names, placeholder, meaning, and the lines that continue it.
+# Names, placeholder, meaning, and continuation lines of the meaning.
 OPTION = re.compile(r"^  (\S+)((?: \S+)*)(?:  +(\S.*))?((?:\n   .*)*)$", re.M)
 EXIT_STATUS = (".SH EXIT STATUS\n0, or 1 where the data could not be used, or 2 on wrong options; errors are one line on the "
                "standard error.\n")
@@ -26,7 +26,7 @@ Written by every build from what they print: `rosrun rubber_suspension COMMAND -
 
 
 class Help:
-    """What a command prints with --help-all (src/command_line/help.h), taken apart."""
+    """The parts of the output of a command with --help-all (src/command_line/help.h)."""
 
     def __init__(self, program):
         self.command = pathlib.Path(program).name
@@ -37,7 +37,7 @@ class Help:
                         for names, placeholder, meaning, more in OPTION.findall(options)]
 
     def phrase(self):
-        """The first sentence of the description as it stands in a list: without capital and full stop."""
+        """Returns the first sentence of the description for lists, without capital and full stop."""
         sentence = " ".join(self.description.split("\n\n")[0].split()).split(". ")[0]
         return sentence[:1].lower() + sentence[1:].rstrip(".")
 
@@ -46,13 +46,13 @@ class Help:
 
 
 def roff(text):
-    """Text in roff: no hyphen is taken for a dash, no line for a request."""
+    """Escapes text for roff: hyphens must not become dashes, nor lines requests."""
     text = text.replace("\\", "\\e").replace("-", "\\-")
     return "\\&" + text if text.startswith((".", "'")) else text
 
 
 def lines_in_roff(text):
-    """Lines that begin with blanks are laid out and stay as they are."""
+    """Returns lines in roff; those that begin with blanks keep their layout."""
     result = ""
     for laid_out, lines in itertools.groupby(text.rstrip("\n").split("\n"), lambda line: line.startswith(" ")):
         block = "".join(roff(line) + "\n" if line else ".PP\n" for line in lines)
@@ -61,7 +61,7 @@ def lines_in_roff(text):
 
 
 def page_of(name, version, phrase, body):
-    """A man page, without a date, so that two builds give the same."""
+    """Returns a man page without a date, so that builds are reproducible."""
     return (f'.TH {roff(name.upper())} 1 "" "rubber_suspension {version}" "User Commands"\n'
             f".SH NAME\n{roff(name)} \\- {roff(phrase)}\n.SH SYNOPSIS\n.B {body}")
 

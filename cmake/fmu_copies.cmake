@@ -1,4 +1,4 @@
-# Copies the sources of the binary of an FMU. Given: ROOT of the package, FILES, FOLDER to write.
+# Copies the sources of the binary of an FMU. Variables: ROOT of the package, FILES to copy, FOLDER to write.
 file(REMOVE_RECURSE ${FOLDER})
 foreach(path ${FILES})
   file(RELATIVE_PATH relative ${ROOT} ${path})

@@ -1,5 +1,5 @@
-# Builds for Windows on x86_64 by mingw-w64, as Debian has it. HEADERS: a folder with links to header-only libraries of
-# this machine, since its own /usr/include is not for Windows.
+# Builds for Windows on x86_64 with Debian's mingw-w64. HEADERS is a folder with links to header-only libraries of this
+# machine, whose /usr/include is not for Windows.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)

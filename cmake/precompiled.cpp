@@ -1,1 +1,1 @@
-// Nothing but the source that a target needs, here the one of the precompiled headers.
+// Empty, because the target of the precompiled headers needs a source.
