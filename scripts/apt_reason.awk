@@ -1,5 +1,5 @@
-# Reads what apt-get wrote, of `update` and then of `install`, and prints why it failed: what dpkg says of which package,
-# packages that there are none of or that do not go together, the network where it was that; else apt's own errors.
+# Reads the output of apt-get `update` and `install`, and prints why it failed: errors of dpkg with the package, missing
+# or conflicting packages, or the network; otherwise the errors of apt.
 # Used by scripts/build: awk -f apt_reason.awk LOG
 
 function add(line) {
@@ -9,7 +9,7 @@ function add(line) {
   }
 }
 
-# The line after `dpkg: error processing` says what happened; the line before may be from the package's own script.
+# The line after `dpkg: error processing` states the error; the line before may be output of the package's script.
 about != "" {
   if ($0 ~ /dependency problems/) {  # follows from another error
     follows = about
@@ -37,7 +37,7 @@ unmet { add($0) }
   next
 }
 
-# What apt says in any case, or after an error that is told already.
+# Excludes errors of apt that only follow from others.
 /^E: / && !/Can not write log|Sub-process .*dpkg returned|Unable to fetch some archives/ { others = others substr($0, 4) "\n" }
 NF { previous = $0 }
 

@@ -1,8 +1,8 @@
-# What the scripts of this folder share; sourced by them, run by nobody.
-# Sets `root`, the package's folder, and puts Debian's own Python first: catkin runs on no other.
+# Functions that the scripts of this folder share; they source this file.
+# Sets `root`, the package's folder, and puts Debian's Python first in PATH, because catkin requires it.
 
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build_dir=$root/build-ros  # not build/: rosrun skips whatever lies in a package's folder of that name
+build_dir=$root/build-ros  # not build/, because rosrun skips a folder of this name
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 unset PYTHONHOME PYTHONPATH
 
@@ -13,7 +13,7 @@ fail() {
   exit 1
 }
 
-# How long stages take on two cores where nothing is built yet: `scripts/benchmark_start --build` measures it.
+# Durations of the stages on two cores if nothing is built yet, measured with `scripts/benchmark_start --build`.
 declare -A takes=(
   [install]="a minute, and the download"
   [configure]="10 s"
@@ -28,7 +28,7 @@ declare -A takes=(
   [run-all-tests]="25 min"
 )
 
-# Runs a stage of some minutes: says what it does and how long that takes, at the end how long it took.
+# Runs a stage of some minutes, and prints its expected and its actual duration.
 # stage WHAT KEY_OF_TAKES COMMAND [ARGUMENT...]
 stage() {
   local what=$1 begin=$SECONDS time=${takes[$2]}
@@ -42,8 +42,8 @@ duration() {
   if [ "$1" -lt 60 ]; then echo "$1 s"; else echo "$(($1 / 60)) min $(($1 % 60)) s"; fi
 }
 
-# A build with its progress: on a terminal in one line, as ninja shows it; elsewhere in a line every 15 s, with all that
-# a compiler says.
+# Builds with progress in one line on a terminal, as ninja shows it, and otherwise in one line every 15 s, with all
+# messages of the compiler.
 build() {
   if [ -t 1 ]; then
     cmake --build "$@" --parallel "$(nproc)"
@@ -52,7 +52,7 @@ build() {
   fi
 }
 
-# Of the lines `[3/533] Building ...` (ninja) and `[  3%] Building ...` (make) one every 15 s and the last.
+# Prints only one of the lines `[3/533] Building ...` (ninja) or `[  3%] Building ...` (make) every 15 s, and the last.
 thin_out() {
   local line next=0 step='^\[ *([0-9]+)(/([0-9]+)|%)\] '
   while IFS= read -r line || [ -n "$line" ]; do
@@ -64,11 +64,11 @@ thin_out() {
   done
 }
 
-# In a newly made file or folder, not in the package's own.
+# Makes a temporary file, or with -d a folder, outside of the package.
 scratch() { mktemp "$@" "${TMPDIR:-/tmp}/rubber_suspension.XXXXXX"; }
 
-# Sets `launcher`: what makes CMake put ccache before the compiler, where it is installed. ccache keeps nothing that was
-# compiled with precompiled headers unless it is allowed to pass over macros and times in them.
+# Sets `launcher` to options that make CMake call the compiler through ccache, if it is installed. ccache only caches
+# code with precompiled headers if it may ignore macros and times in them.
 use_ccache() {
   launcher=()
   command -v ccache >/dev/null || return 0
@@ -78,7 +78,7 @@ use_ccache() {
   launcher=("-DCMAKE_C_COMPILER_LAUNCHER=$command" "-DCMAKE_CXX_COMPILER_LAUNCHER=$command")
 }
 
-# `debian` or `ubuntu`, `other` where nothing can be installed by these scripts.
+# Prints `debian`, `ubuntu`, or `other` if these scripts cannot install packages.
 distribution() {
   local ID=other VERSION_ID=
   [ -r /etc/os-release ] && . /etc/os-release

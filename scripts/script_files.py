@@ -1,4 +1,4 @@
-"""How the scripts of the package write files: nothing of another kind is replaced, nothing is left half-written."""
+"""Writes files for the scripts of the package: never replaces a file of another kind, never leaves a partial file."""
 
 import contextlib
 import itertools
@@ -6,12 +6,12 @@ import json
 import os
 import subprocess
 
-FIGURES = (b"\x89PNG", b"<?xml", b"<svg", b"%PDF")  # how files of this kind begin
+FIGURES = (b"\x89PNG", b"<?xml", b"<svg", b"%PDF")  # first bytes of figures
 
 
 def check_outputs(outputs, force):
-    """The rule of the other commands. `outputs` has an option, a path and the beginnings of its kind of file for each;
-    raises ValueError for two that are one file, for a folder, and for a file of another kind unless `force`."""
+    """Checks output files as the commands do. `outputs` has an option, a path and the first bytes of its kind for each
+    file. Raises ValueError for two outputs in one file, for a folder, and for a file of another kind unless `force`."""
     for (one, path, _), (other, second, _) in itertools.combinations(outputs, 2):
         if os.path.realpath(path).lower() == os.path.realpath(second).lower():
             raise ValueError("%s and %s: both write %s; accepted: a separate file for each" % (one, other, second))
@@ -26,7 +26,7 @@ def check_outputs(outputs, force):
 
 @contextlib.contextmanager
 def beside(path):
-    """A name beside the path to write to; the file takes the path when it is complete, or goes."""
+    """Yields the name of a temporary file beside `path`, which replaces `path` at the end and is removed on errors."""
     target = os.path.realpath(path)
     if os.path.exists(target) and not os.path.isfile(target):
         yield target  # a device
@@ -43,7 +43,7 @@ def beside(path):
 
 
 def draw(path, figure):
-    """Draw a figure, with the fields of include/rubber_suspension/io/figure.h, by plot_figures. Raises ValueError."""
+    """Draws a figure, with the fields of include/rubber_suspension/io/figure.h, by plot_figures. Raises ValueError."""
     if not path.endswith((".svg", ".png")):
         raise ValueError("%s: is not the name of a figure; accepted: a name that ends in .svg or .png" % path)
     script = os.path.join(os.path.dirname(os.path.realpath(__file__)), "plot_figures")
