@@ -40,7 +40,7 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t kKeptSamples = 4000000;  // of all logs kept: about 100 MB with force and displacement
 
-// "friction | friction + creep": the sets of effects that the logs cannot tell apart.
+// Returns sets of effects that the logs cannot distinguish as "friction | friction + creep".
 std::string setsText(const std::vector<std::vector<std::string>>& sets) {
   return element::joined(sets, " | ", [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
 }
@@ -50,7 +50,7 @@ std::vector<std::string> effectsOf(const diagnosis::Alternative& other) {
   return other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects;
 }
 
-// A number that is not finite is written as null.
+// Returns the values for tables; numbers that are not finite are written as null.
 ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   ordered_json values = {{"verdict", toString(d.answer.verdict)},
                          {"effects", log::join(d.answer.effects)},

@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 constexpr double kTail = 0.025;           // probability beyond each end of a 95 % interval
 constexpr std::size_t kMostListed = 500;  // components per type; table.csv has all
 
-// Frequency of each name, most frequent first.
+// Returns the share of each name with its interval, most frequent first.
 ordered_json sharesOf(const std::vector<std::string>& names, std::size_t components) {
   constexpr double kJeffreys = 0.5;  // prior count of either answer
   std::map<std::string, std::size_t> counts;

@@ -26,7 +26,7 @@ constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: whole numbers up t
 using io::Entry;
 using io::Key;
 
-// Continues after a problem, so that the user sees all of them at once.
+// Continues after a problem, so that the user sees all problems at once.
 class JobsReader : public io::YamlReader {
  public:
   JobsReader(const std::string& source, std::vector<std::string>& problems)

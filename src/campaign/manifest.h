@@ -23,7 +23,7 @@ enum class Command {
 /// Files that a job writes besides its record.
 enum class Reports {
   none,  ///< its record only
-  data,  ///< what other programs read: report.json, augmented.yaml; identification.json, component.yaml; force.csv
+  data,  ///< files for other programs: report.json, augmented.yaml; identification.json, component.yaml; force.csv
   full,  ///< also report.html, whose figures take longer than many a diagnosis
 };
 
@@ -85,7 +85,7 @@ struct InputFile {
 
 /// One job; `config`, `logs` and `hold_out` are indices into the inputs of the manifest.
 struct Job {
-  std::string id;          ///< SHA-256 of what decides its result, 64 hexadecimal digits
+  std::string id;          ///< SHA-256 by jobId(), 64 hexadecimal digits
   std::string group;       ///< name of its entry in the jobs file
   std::string type;        ///< components of one type are compared with each other
   std::string test_rig;    ///< name of the rig; jobs of one rig may share its compliance

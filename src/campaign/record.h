@@ -14,7 +14,7 @@ namespace rubber_suspension::campaign {
 
 /// Contribution of one job to the statistics of a fleet.
 struct Findings {
-  std::optional<diagnosis::Verdict> verdict;  ///< of a diagnosis
+  std::optional<diagnosis::Verdict> verdict;  ///< only of a diagnosis
   std::vector<std::string> effects;           ///< named effects
   /// Logarithm of re-estimated over configured value, by parameter.
   std::map<std::string, double> changes;

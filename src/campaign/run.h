@@ -12,7 +12,7 @@ namespace rubber_suspension::campaign {
 
 /// Every `count`-th job, from the `index`-th on.
 struct Shard {
-  std::size_t index = 1;  ///< from 1
+  std::size_t index = 1;  ///< from 1 to `count`
   std::size_t count = 1;
 
   bool holds(std::size_t place) const { return place % count == index - 1; }

@@ -21,7 +21,7 @@ namespace {
 
 const std::array<const char*, 6> kNames = {"FX", "FY", "FZ", "TX", "TY", "TZ"};
 
-// One direction that has a force, and what the file has of it, in its units.
+// One direction that is not free, with the data of the file in the units of the file.
 struct Direction {
   component::Direction direction;
   const component::Component& component;
@@ -34,7 +34,7 @@ struct Direction {
 
   bool turns() const { return component::isRotation(direction); }
   std::string name() const { return kNames[direction]; }
-  double lengths() const { return turns() ? kDegrees : 1e3; }  // of the file in one of SI
+  double lengths() const { return turns() ? kDegrees : 1e3; }  // units of the file per SI unit
   double forces() const { return turns() ? 1e3 : 1.0; }
 };
 
@@ -51,7 +51,7 @@ void checkOptions(const Direction& direction, const BushingFileOptions& options)
       component::toString(direction.direction), extent.largest, unit, options.points);
 }
 
-// Force that a new component at rest has at this displacement.
+// Returns the force of a new component at rest at this displacement [N, N m].
 double forceAtRest(const component::Component& component, double displacement) {
   component::ComponentState state = component.makeState();
   return component.initialise(state, displacement).total;
@@ -125,7 +125,7 @@ std::string adamsBlocks(const std::vector<Direction>& directions) {
   return text;
 }
 
-// The stiffness [N/mm, N mm/deg] of a curve that is a straight line through 0 to the digits that are written.
+// Returns the stiffness [N/mm, N mm/deg] of a curve that is a straight line through 0 to the digits of the file.
 std::optional<double> straight(const Direction& direction) {
   const double stiffness = direction.force.back() / direction.position.back();
   for (std::size_t i = 0; i < direction.force.size(); ++i) {
@@ -136,7 +136,7 @@ std::optional<double> straight(const Direction& direction) {
   return stiffness;
 }
 
-// The format has one word for forces and moments, and the z axis for a cylinder.
+// The format has one coupling for forces and moments, which for a cylinder is about the z axis.
 std::string couplingWord(const Bushing& bushing) {
   if (bushing.translation == component::Coupling::cylindrical && bushing.axis == 2) {
     return "cylindrical";
@@ -177,7 +177,7 @@ std::string lossOf(const std::string& type) {
                               : type + ": the file contains only its force at rest and its loss under this one sine";
 }
 
-// Component and file under the sine: the spring of the curve and the dashpot.
+// Compares the component under the sine with the file, which is a spring with the curve and a dashpot.
 std::string comparison(const Direction& direction, const BushingFileOptions& options) {
   const double amplitude = direction.extent.amplitude;
   const double difference = forceAtRest(direction.component, amplitude) - forceAtRest(direction.component, -amplitude);

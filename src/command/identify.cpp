@@ -53,7 +53,7 @@ nlohmann::ordered_json parameterJson(const fit::IdentifiedParameter& parameter) 
 
 constexpr double kCycles = 5.0;  // drawn of each log: more would merge into one area
 
-// Every n-th sample, so that a figure stays small.
+// A figure shows one sample per stride, so that it stays small.
 std::size_t stride(std::size_t samples) { return 1 + samples / 4000; }
 
 // Returns true if the logs determine a shift: all have a temperature, which varies.
@@ -83,7 +83,7 @@ using RecordsOfLogs = std::vector<std::optional<log::Record>>;
 
 // Errors of the rig in a set of logs.
 struct RigOfLogs {
-  std::vector<Eigen::MatrixXd> columns;  // as fit::IdentificationOptions::rig; empty where nothing was found
+  std::vector<Eigen::MatrixXd> columns;  // as fit::IdentificationOptions::rig; empty if nothing was found
   std::vector<measurement::RigFinding> findings;
 };
 

@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::command {
 
-/// State-space model dx/dt = A x + B u, F = C x + D u with u = (z, dz/dt); z and F from the nominal position.
+/// State-space model dx/dt = A x + B u, F = C x + D u, u = (z, dz/dt), with z and F relative to the nominal position.
 struct LinearPart {
   std::string component;
   Eigen::MatrixXd a;

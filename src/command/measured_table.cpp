@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kLargestFile = 16 * 1024 * 1024;  // bytes
 constexpr std::size_t kMostRows = 1000;                 // a fit takes seconds for each
 
-// The quantities that a column of a table may hold, by the words that laboratories write in English and German.
+// The quantities that a column may contain, with the names that laboratories use in English and German.
 struct TableQuantity {
   const char* name;
   const char* unit;  // SI
@@ -109,7 +109,7 @@ const std::vector<TableQuantity>& tableQuantities() {
   return table;
 }
 
-// Words of laboratories behind the name or unit of an amplitude, with the factor to the amplitude of a sine.
+// Words that laboratories add to the name or unit of an amplitude, with the factor to the amplitude of a sine.
 struct AmplitudeWord {
   const char* word;
   double factor;
@@ -136,7 +136,7 @@ struct TableColumn {
   std::size_t quantity;
   log::UnitConversion conversion;
   double factor = 1.0;
-  double level = 0.0;  // in dB re this [SI]; 0: no level
+  double level = 0.0;  // reference of a level in dB [SI]; 0: not a level
 
   double toSi(double number) const {
     return level > 0.0 ? level * std::pow(10.0, number / 20.0) : factor * conversion(number);

@@ -112,7 +112,7 @@ struct Option {
 struct Rule {
   enum class Kind {
     needs,     ///< the options have no effect unless one of the conditions holds
-    excludes,  ///< the options have no effect where one of the conditions holds
+    excludes,  ///< the options have no effect if one of the conditions holds
     one_of,    ///< exactly one of the options has to be given
   };
   Kind kind;
