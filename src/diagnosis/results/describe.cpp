@@ -125,7 +125,7 @@ void raiseFloors(const std::vector<double>& floors, const hypotheses::PreparedCa
   workings.judgeAgain();
 }
 
-// The numbers of a report, from what describe() found before.
+// Computes the numbers of a report.
 class Describer {
  public:
   Describer(const hypotheses::PreparedCase& prepared, const Workings& workings,
@@ -410,7 +410,7 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   };
   MeasuredLaw named;
   std::vector<double> removed;
-  const auto settle = [&] {  // a set that closes nothing, or has an effect that does, is no answer
+  const auto settle = [&] {  // a set is no answer if it or one of its effects closes nothing
     for (bool settled = false; !settled;) {
       named = writtenLaw(prepared, search, search.at(workings->answer.model), gap_before, options);
       removed = describer(named).squaresRemoved();
