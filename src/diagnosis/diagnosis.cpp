@@ -123,7 +123,7 @@ JudgedCase searchedAndJudged(const io::ComponentDescription& component, Records 
   }
 }
 
-// Rig findings of a rotation, with its units: measurement/ takes the rotation for a displacement.
+// Rig findings in the units of a rotation, because measurement/ treats a rotation as a displacement.
 std::vector<RigFinding> ofRotation(std::vector<RigFinding> findings) {
   for (RigFinding& finding : findings) {
     finding.unit = io::rotationalUnit(finding.unit);
@@ -160,7 +160,7 @@ Diagnosis inWords(const fit::Fitter& fitter, const experiment::NextExperiment& n
   return result;
 }
 
-// Removes from the force of each log what mains or a pump add.
+// Removes the lines that mains or a pump add to the force of each log.
 std::vector<RigFinding> removeLines(const io::ComponentDescription& component, std::vector<log::Record>& records,
                                     std::vector<prepare::RawChannels>& raw) {
   prepare::RigLines lines =

@@ -1,4 +1,4 @@
-// The list of effects, and from entries of a component file to the numbers that engineers say.
+// The list of effects, and the headline numbers of entries of a component file.
 #include "diagnosis/effect.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// Made when the first effect enters itself, whatever the order in which the files' static objects are made.
+// A local static, because the static objects of different files are constructed in no defined order.
 std::vector<Effect>& entered() {
   static std::vector<Effect> list;
   return list;
@@ -29,7 +29,7 @@ std::vector<Effect> inOrder() {
   return list;
 }
 
-// The effect that tells entries of this type together; null: none does.
+// The effect whose headline numbers include entries of this type; null if there is none.
 const Effect* toldBy(const std::string& type) {
   const auto found = std::find_if(effects().begin(), effects().end(), [&](const Effect& effect) {
     const auto& types = effect.headline_types;
@@ -58,7 +58,7 @@ std::vector<fit::Candidate> candidates(const fit::Excitation& excitation) {
   return element::each(effects(), [&](const Effect& effect) {
     fit::Candidate candidate{effect.name, effect.documentation, effect.on_rig, {}};
     effect.add_terms(excitation, candidate);
-    // Tiny motion asks for coefficients of high powers that no law accepts.
+    // For tiny motion, typical coefficients of high powers exceed the range of any law.
     std::vector<fit::BasisTerm>& terms = candidate.terms;
     terms.erase(std::remove_if(terms.begin(), terms.end(), [](const auto& term) { return term.typical > term.upper; }),
                 terms.end());
@@ -77,7 +77,7 @@ std::vector<HeadlineValue> movedOf(const std::vector<element::ElementDescription
   std::vector<HeadlineValue> result;
   const std::vector<element::ParameterInfo>& table = element::findElementType(group.front().type)->parameters;
   for (const element::ParameterInfo& parameter : table) {
-    const bool is_size = &parameter == &table.front();  // the first of a table is how much there is of the law
+    const bool is_size = &parameter == &table.front();  // the first parameter of a law is its size
     const bool in_turn = parameter.name == "reduction";
     double sum = 0.0;
     bool given = false;

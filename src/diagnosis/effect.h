@@ -18,80 +18,79 @@ struct HeadlineValue {
   std::string name;
   std::string unit;  ///< SI; "1" for none
   double value = 0.0;
-  bool is_scale = false;  ///< the effect is gone at 0
+  bool is_scale = false;  ///< the effect vanishes if the value is 0
 };
 
 /// Visibility of an effect in the settled loops of a table, or the reason for none.
 enum class InSettledLoops {
   shown,
-  over_before,      ///< softening and heat are over before a loop has settled
-  has_crept,        ///< what creeps has crept by then
+  over_before,      ///< softening and warming end before a loop has settled
+  has_crept,        ///< creep is over by then
   no_part_of_loop,  ///< a constant force or a trend
 };
 
-/// All that is known of an effect before any log.
+/// The declaration of an effect.
 struct Effect {
   using Entries = std::vector<element::ElementDescription>;
 
-  int place = 0;  ///< in the list and on the reference page; no two effects have the same
+  int place = 0;  ///< in the list and on the reference page; unique
   std::string name = {};
   std::string documentation = {};  ///< what it is and its signature, one sentence
   bool on_rig = false;             ///< belongs to the rig, not to the rubber
-  /// Adds the terms with their bounds for logs of an excitation; none where these lack what would show the effect.
+  /// Adds the terms with their bounds for logs of an excitation; none if such logs cannot show the effect.
   void (*add_terms)(const fit::Excitation& excitation, fit::Candidate& candidate) = nullptr;
   InSettledLoops in_settled_loops = InSettledLoops::shown;
-  bool falls_like_warming = false;  ///< stiffness falls in the course of logs, as it does where a room warms
-  /// Why no table can be diagnosed with a component that has an element of this name; empty: it can.
+  bool falls_like_warming = false;  ///< stiffness falls in the course of logs, as in a warming room
+  /// Reason why tables cannot be diagnosed with a component that has an element of this name; empty if they can.
   std::string not_beside_tables = {};
-  /// Effects that its law has as limits, so that it can do all that these do.
+  /// Effects that are limits of its law, which can therefore represent them.
   std::vector<std::string> contains = {};
 
-  /// Writes entries of a fit as a user would; null: they stay as they are.
+  /// Rewrites fitted entries as a user would write them; null if they stay as they are.
   void (*tidy)(Entries& entries) = nullptr;
-  /// The headline numbers of all entries of these types together; null: those of headlineValuesOf().
+  /// Returns the headline numbers of all entries of `headline_types` together; null: those of headlineValuesOf().
   std::vector<HeadlineValue> (*headline)(const Entries& entries) = nullptr;
   std::vector<std::string> headline_types = {};
-  /// The sizes that logs of this excitation determine, where these are not the numbers of the law; null: the headline
-  /// numbers.
+  /// Returns the sizes that logs of this excitation determine, if these are not the headline numbers; else null.
   std::vector<HeadlineValue> (*sizes)(const Entries& entries, const fit::Excitation& excitation) = nullptr;
   std::map<std::string, std::string> labels = {};  ///< of headline numbers, in front of their values
 
-  /// Said in brackets before the headline numbers: other causes that a component cannot tell from it; empty: none.
+  /// Returns other causes of the same residual, for brackets before the headline numbers; empty if there are none.
   std::string (*readings)(const io::ComponentDescription& configured) = nullptr;
-  /// Said among the headline numbers, by the entries of the augmented component.
+  /// Returns phrases for the list of headline numbers, from the entries of the augmented component.
   std::vector<std::string> (*facts)(const Entries& augmented) = nullptr;
-  /// A sentence beside the verdict that names it first, by its headline numbers.
+  /// Returns a sentence for a verdict that names this effect first, from its headline numbers.
   std::string (*remark)(const std::map<std::string, double>& numbers) = nullptr;
-  std::string beside_values = {};  ///< a sentence where it is another reading of wrong values
+  std::string beside_values =
+      {};  ///< sentence for a verdict of wrong values to which this effect alone is an alternative
 };
 
-/// Enters an effect into the list: one static object in the effect's own file does it.
+/// Enters an effect into the list when constructed, as a static object in the effect's own file.
 struct EffectEntry {
   explicit EffectEntry(const Effect& effect);
 };
 
-/// All effects in the order of their places. Throws std::logic_error where two claim the same place.
+/// Returns all effects in the order of their places. Throws std::logic_error if two have the same place.
 const std::vector<Effect>& effects();
 
-/// The effect of this name; of a name that is not in the list one of which nothing is declared.
+/// Returns the effect of this name; for an unknown name, an effect of default values.
 const Effect& effectNamed(const std::string& name);
 
-/// All effects as candidates for logs of this excitation, in the order of their places.
+/// Returns all effects as candidates for logs of this excitation, in the order of their places.
 std::vector<fit::Candidate> candidates(const fit::Excitation& excitation);
 
-/// Headline numbers of an effect, as an engineer says them: what a fit moved, without choices and references. Entries
-/// that an effect tells together (Effect::headline) have the numbers of that effect, other entries of one type
-/// movedOf().
+/// Returns the headline numbers of entries: what a fit moved, without choices and references. Entries of the
+/// headline_types of an effect are reduced together by its Effect::headline, entries of any other type by movedOf().
 std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDescription>& entries);
 
-/// Headline numbers by name, as in report.json.
+/// Returns headline numbers by name, as in report.json.
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries);
 
-/// The numbers that a fit moves of an entry; of several of one type the sum of the first parameter of their law, as
-/// total_NAME, and of softenings, which act one after the other, what all together take.
+/// Returns the numbers of an entry that a fit moves. For several entries of one type, returns only the sum of their
+/// first parameter, as total_NAME; reductions of softenings, which act one after the other, are compounded.
 std::vector<HeadlineValue> movedOf(const std::vector<element::ElementDescription>& group);
 
-/// A value of an entry, which may lack it.
+/// Returns a value of an entry, or `otherwise` if the entry lacks it.
 double valueOr(const element::ElementDescription& entry, const std::string& name, double otherwise);
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,4 +1,4 @@
-// Verdict, gaps, floor, interval, sizes and probabilities of a report agree.
+// Checks that verdict, gaps, noise floor, intervals, sizes and probabilities of a report agree.
 #include "diagnosis/invariants.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kRounding = 1e-9;
-constexpr double kReplayed = 1e-3;  // a gap, as blocks of a log and the log as a whole give it
+constexpr double kReplayed = 1e-3;  // relative difference between gaps from blocks and from whole logs
 constexpr double kWorthListing = 0.02;
 
 bool nearly(double a, double b, double tolerance = kRounding) { return std::abs(a - b) <= tolerance; }
@@ -96,8 +96,8 @@ bool setsAreProbable(const Diagnosis& d) {
                                                     [&](const auto& set) { return all(set, listed); });
 }
 
-// No fit predicts blocks that took no part in it better than it describes those of the fit, but by chance. A law
-// without a model on some log has no finite error.
+// No fit predicts held-out blocks better than the blocks of the fit, except by chance. The error is infinite if the law
+// has no finite force on some log.
 bool noFitPredictsBetter(const Diagnosis& d) {
   const auto holds = [](const hypotheses::FittedHypothesis& fitted) {
     const fit::Fit& fit = fitted.fit;
@@ -255,7 +255,7 @@ struct Invariant {
   bool (*holds)(const Diagnosis&);
 };
 
-// The names are those of test/blind_trial/invariants.py, which asks report.json.
+// The names are those of test/blind_trial/invariants.py, which checks report.json.
 constexpr Invariant kInvariants[] = {
     {"effects are named if and only if the verdict names effects", verdictHasItsEffects},
     {"the probabilities add up to 1", posteriorIsOne},
@@ -295,7 +295,7 @@ Admission asRecorded(Admission log) {
 std::vector<std::string> brokenInvariants(const Diagnosis& diagnosis) {
   std::vector<std::string> broken;
   for (const Invariant& invariant : kInvariants) {
-    if (diagnosis.workings && !invariant.holds(diagnosis)) {  // nothing was judged without them
+    if (diagnosis.workings && !invariant.holds(diagnosis)) {  // without workings, nothing was judged
       broken.emplace_back(invariant.name);
     }
   }

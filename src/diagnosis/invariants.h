@@ -8,10 +8,11 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Names of the invariants (docs/diagnosis.md) that a diagnosis breaks.
+/// Returns the names of the invariants (docs/diagnosis.md) that a diagnosis breaks.
 std::vector<std::string> brokenInvariants(const Diagnosis& diagnosis);
 
-/// The diagnosis as it is, or one that breaks an invariant without its verdict: Verdict::defect, and which it breaks.
+/// Returns the diagnosis unchanged or, if it breaks an invariant, without its results: with Verdict::defect and the
+/// names of the broken invariants.
 Diagnosis heldToInvariants(Diagnosis diagnosis);
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,5 +1,4 @@
-// Directions of a component of six through the diagnosis of one direction, and what is left of them held against the
-// displacements of the others.
+// Diagnosis of each direction by itself, and the map of residuals over the displacements of other directions.
 #include "rubber_suspension/diagnosis/six_directions.h"
 
 #include <fmt/format.h>
@@ -28,7 +27,7 @@ bool isCoupled(const component::SixDirectionsLaws& laws, Direction direction) {
          (coupling == component::Coupling::cylindrical && direction % 3 != laws.axis);
 }
 
-// The other one across the axis, with which it may share a radius; nothing where that is free, or scaled by another
+// The other direction across the axis, with which this one may share a radius; none if it is free or has another
 // factor.
 std::optional<Direction> partnerOf(const io::SixDirectionsDescription& six, Direction direction) {
   const std::size_t own = direction % 3;
@@ -81,7 +80,7 @@ std::vector<SixLogs> measuredDirections(const component::SixDirections& componen
   return directions;
 }
 
-// The force that the entries of the direction have to give, before its factor.
+// Logs with the force that the entries of the direction have to produce, before its factor.
 std::vector<log::Log> logsOf(const std::vector<SixLogs>& all, Direction direction,
                              const io::SixDirectionsDescription& six) {
   const double factor = six.factorOf(direction);
@@ -112,7 +111,7 @@ DirectionDiagnosis diagnoseDirection(const io::ComponentDescription& component, 
   }
 }
 
-// One direction after the other takes its share of the progress.
+// Scales the progress of one direction to its share of the progress of all.
 DiagnosisOptions shareOf(const DiagnosisOptions& options, Direction direction, std::size_t i, std::size_t count) {
   DiagnosisOptions share = options;
   if (options.progress) {
@@ -124,7 +123,7 @@ DiagnosisOptions shareOf(const DiagnosisOptions& options, Direction direction, s
   return share;
 }
 
-// Radial laws belong to two directions: copies them to the one that has none.
+// Copies radial laws, which belong to two directions, to the partner if it has none.
 void completeRadius(io::SixDirectionsDescription& six, Direction direction) {
   const std::optional<Direction> partner = partnerOf(six, direction);
   const auto elements = six.directions[direction]->allElements();
@@ -150,7 +149,7 @@ io::ComponentDescription augmentedOf(const io::ComponentDescription& component,
   return augmented;
 }
 
-// Forces in `measured` become what the component leaves of them.
+// Replaces the forces in `measured` by the residuals of the component.
 void subtractSimulated(const component::SixDirections& component, const log::PoseLog& log, SixLogs& measured) {
   const SixLogs simulated = gap::directionLogs(component, log, gap::replayPoses(component, log).wrench);
   for (std::size_t k = 0; k < component::kDirections; ++k) {

@@ -1,4 +1,4 @@
-// A diagnosis in two steps: a first reading of the logs, which returns their notes, and the search.
+// A diagnosis in two steps: a survey of the logs, which returns their notes, and the search.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Logs of a diagnosis that were read once.
+/// Logs of a diagnosis that have been read once.
 struct SurveyedLogs {
   std::vector<prepare::LogSurvey> logs;
   std::vector<prepare::LogSurvey> hold_out;
 };
 
-/// Reads the logs for the first time. Throws LogError where there is none, and as prepare::surveyLog() does;
-/// std::invalid_argument for a component that cannot be built.
+/// Surveys the logs. Throws LogError if there is none, and like prepare::surveyLog(); std::invalid_argument for a
+/// component that cannot be built.
 SurveyedLogs surveyed(const io::ComponentDescription& component, const log::LogSources& logs,
                       const log::LogSources& hold_out, int threads);
 
-/// As diagnose() of the logs themselves.
+/// Diagnoses surveyed logs, like diagnose() of their sources.
 Diagnosis diagnose(const io::ComponentDescription& component, const SurveyedLogs& logs,
                    const DiagnosisOptions& options);
 

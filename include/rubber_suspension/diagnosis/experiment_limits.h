@@ -1,4 +1,4 @@
-// Limits of a machine in an experiment that a diagnosis proposes.
+// Limits of the test machine for an experiment that a diagnosis proposes.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,16 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Limits of a proposed experiment. By default they are what the logs reached.
+/// Limits of a proposed experiment. A limit that is not set is the value that the logs reached.
 struct ExperimentLimits {
   std::optional<double> stroke;     ///< largest displacement to either side of 0 [m]
   std::optional<double> speed;      ///< largest rate of the displacement [m/s]
-  std::optional<double> frequency;  ///< highest of a motion [Hz]
+  std::optional<double> frequency;  ///< highest frequency of a motion [Hz]
   std::optional<double> force;      ///< largest force to either side of 0 [N]
-  std::optional<double> duration;   ///< of the whole log [s]
+  std::optional<double> duration;   ///< duration of the whole log [s]
 };
 
-/// One row of the table that option and reference page follow.
+/// A row of the table from which the option and the reference page are made.
 struct ExperimentLimitInfo {
   std::string name;  ///< the key in `--limits KEY=VALUE`
   std::string unit;  ///< SI
@@ -26,8 +26,8 @@ struct ExperimentLimitInfo {
 
 const std::vector<ExperimentLimitInfo>& experimentLimitTable();
 
-/// Applies `--limits KEY=VALUE`, such as "stroke=20 mm". Throws std::invalid_argument that names key, value and what is
-/// accepted.
+/// Sets the limit of an assignment KEY=VALUE, such as "stroke=20 mm". Throws std::invalid_argument with key, value and
+/// what is accepted.
 void setExperimentLimit(ExperimentLimits& limits, const std::string& assignment);
 
 }  // namespace rubber_suspension::diagnosis

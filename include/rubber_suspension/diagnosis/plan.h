@@ -1,4 +1,4 @@
-// Effects that logs could show before any is recorded: a plan of displacement programmes alone.
+// Effects that planned logs could show, predicted from their displacement programmes alone.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 namespace rubber_suspension::diagnosis {
 
 struct PlanOptions {
-  double size = 0.1;     ///< of the implanted effects: RMS force over the force's standard deviation
-  double noise = 0.005;  ///< of the force that will be measured, over its standard deviation
+  double size = 0.1;     ///< RMS force of the implanted effects over the force's standard deviation
+  double noise = 0.005;  ///< RMS noise of the force to be measured over its standard deviation
   int threads = 2;
 };
 
@@ -34,18 +34,18 @@ struct Plan {
   RunRecord run;
 };
 
-/// Predicts the effects that logs of these displacements, in the order of recording on one component, would show. A
-/// measured force is ignored: that of the component is simulated, with white noise. Throws LogError for a log that
+/// Predicts which effects logs with these displacements, in the order of recording on one component, would show. Any
+/// measured force is ignored: the force of the component is simulated, with white noise. Throws LogError for a log that
 /// cannot be used, std::invalid_argument for a component that cannot be built.
 Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>& logs, const PlanOptions& options);
 
-/// A table of a line per effect.
+/// Returns a table with a line per effect.
 std::string toText(const CouldShow& could_show);
 
-/// The plan as JSON text, schema rubber_suspension/experiment_plan/1.
+/// Returns the plan as JSON text, schema rubber_suspension/experiment_plan/1.
 std::string toJson(const Plan& plan);
 
-/// Names of the files of a plan.
+/// Returns the names of the files of a plan.
 std::vector<std::string> planFiles();
 
 /// Writes plan.json and then plan.html, a page that needs no network, into a new or existing folder. Returns an empty

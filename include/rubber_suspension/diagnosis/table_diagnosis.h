@@ -8,11 +8,11 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Fewest rows for a diagnosis; fewer cannot test a hypothesis.
+/// Smallest number of rows for a diagnosis; fewer rows cannot test a hypothesis.
 constexpr std::size_t kFewestRows = 6;
 
-/// Diagnoses one component from a table. Search and judgement are those of logs; residuals are those of K*
-/// (fit::gapOfTable()), and what takes no part in a fit are rows. Effects that no table shows are never named
+/// Diagnoses one component from a table. Search and judgement are the same as for logs, with residuals of K*
+/// (fit::gapOfTable()) and with rows held out. Effects that no table can show are never named
 /// (DiagnosedTable::never_shown). Throws std::invalid_argument for a table or a component that cannot be used.
 Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                         const DiagnosisOptions& options = {});

@@ -1,4 +1,4 @@
-// The verdicts of a diagnosis. Throws nothing but what its functions say.
+// The verdicts of a diagnosis.
 #pragma once
 
 #include <iosfwd>
@@ -10,25 +10,25 @@ enum class Verdict {
   none,             ///< no gap beyond noise
   parameter_error,  ///< the model's own values are wrong, and nothing is missing
   named,            ///< effects of the list are missing
-  confounded,       ///< likewise, but the logs do not decide which
-  unknown,          ///< something is missing, and it is not in the list
-  partly,           ///< effects of the list are missing, and something else
+  confounded,       ///< effects of the list are missing, but the logs do not decide which
+  unknown,          ///< an effect that is not in the list is missing
+  partly,           ///< effects of the list are missing, and another that is not in it
   check_bench,      ///< a log has a wrong sign, unit, column or component
   defect            ///< the report would contradict itself, and states no result
 };
 
-/// Returns the word of reports.
+/// Returns the word for a verdict in reports.
 std::string toString(Verdict verdict);
 
-/// Throws std::invalid_argument for a word that no report has.
+/// Returns the verdict of such a word. Throws std::invalid_argument for any other word.
 Verdict verdictOf(const std::string& word);
 
 std::ostream& operator<<(std::ostream& stream, Verdict verdict);
 
-/// True for verdicts that name effects.
+/// Returns true for verdicts that name effects.
 bool namesEffects(Verdict verdict);
 
-/// True for verdicts with a residual of unknown cause.
+/// Returns true for verdicts with a residual force of unknown cause.
 bool leavesRest(Verdict verdict);
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,4 +1,4 @@
-// From probabilities to a verdict: a function of the posterior alone, which compares nothing else.
+// The verdict as a function of the posterior alone.
 #pragma once
 
 #include <vector>
@@ -9,40 +9,40 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// Probability that lists have to cover; an explanation that has as much stands alone.
+/// Probability that lists have to cover; an explanation with at least this probability stands alone.
 constexpr double kListed = 0.9;
 
-/// One explanation of the logs: a set of effects (`named`), wrong values, no gap, or something that is not in the list.
+/// An explanation of the logs: a set of effects (`named`), wrong values, no gap, or an unlisted cause (`unknown`).
 struct Explained {
   Verdict verdict = Verdict::none;
-  std::vector<int> effects;            ///< what adds most to the force first
-  int model = Evidence::kReEstimated;  ///< the hypothesis that stands for it
+  std::vector<int> effects;            ///< largest force first
+  int model = Evidence::kReEstimated;  ///< the hypothesis that represents it
   double probability = 0.0;
 };
 
-/// The verdict, and how sure it is.
+/// The verdict and its probability.
 struct Answer {
   Verdict verdict = Verdict::none;
-  std::vector<int> effects;                  ///< named, what adds most to the force first
-  int model = Evidence::kReEstimated;        ///< the hypothesis that is judged
-  double probability = 0.0;                  ///< of the verdict; of the set that is named
-  double beside = 0.0;                       ///< of that set, the share that it has beside a rest
+  std::vector<int> effects;                  ///< named effects, largest force first
+  int model = Evidence::kReEstimated;        ///< the judged hypothesis
+  double probability = 0.0;                  ///< of the verdict; if effects are named, of their set
+  double beside = 0.0;                       ///< share of the named set's probability that is beside a residual force
   Posterior posterior;                       ///< of the four answers
-  std::vector<double> candidates;            ///< of each effect, to be in the set that is at work
-  std::vector<std::vector<int>> confounded;  ///< the sets that together make 90 % of all, the likeliest first
-  std::vector<Explained> alternatives;       ///< the likeliest others, which with what is said make 90 % of all
+  std::vector<double> candidates;            ///< for each effect, that it is at work
+  std::vector<std::vector<int>> confounded;  ///< sets with 90 % of the probability of all sets, the likeliest first
+  std::vector<Explained> alternatives;       ///< likeliest others, until 90 % are covered with the answer
 };
 
-/// Something is named where all sets together are likelier than any other answer: the likeliest set. It is `confounded`
-/// where that has less than half of the probability of all sets, `partly` where it is likelier beside a rest. No set is
-/// listed that holds an effect of less than 2 %, but for the one that is named. Nothing is `unknown` where a set halves
-/// what is left (toldByHalving()).
+/// Returns the answer to a posterior. If all sets together are likelier than any other answer, the likeliest set is
+/// named. The verdict is then `confounded` if this set has less than half of the probability of all sets, or `partly`
+/// if it is likelier beside a residual force than alone. Sets with an effect of less than 2 % are not listed, except
+/// for the named one. The verdict is never `unknown` if a set halves the residual (toldByHalving()).
 Answer answer(const SetPosterior& posterior, std::size_t effects);
 
-/// The answer to the table of scores of all evidence.
+/// Returns the answer to a table of scores.
 Answer answer(const ScoreTable& table, const JudgeNumbers& numbers = fittedNumbers());
 
-/// Evidence to answer. Throws std::invalid_argument as scoreTable() does.
+/// Returns the answer to evidence. Throws std::invalid_argument like scoreTable().
 Answer answer(const Evidence& evidence, const JudgeNumbers& numbers = fittedNumbers());
 
 }  // namespace rubber_suspension::diagnosis::judge

@@ -7,9 +7,9 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// Schema rubber_suspension/evidence/11: an object with the members of Evidence under their names. Each of `hypotheses`
-/// has its `log_errors` in the order of `logs`, and in `sizes` a list over the logs for each of its members. A number
-/// that no model run gives is null.
+/// Returns evidence as JSON text, schema rubber_suspension/evidence/11: an object with the members of Evidence under
+/// their names. In each hypothesis `log_errors` is in the order of `logs`, and `sizes` has a list over the logs for
+/// each member. Numbers that are not finite are null.
 std::string toJson(const Evidence& evidence);
 
 }  // namespace rubber_suspension::diagnosis::judge

@@ -1,4 +1,4 @@
-// The numbers that the judgement by posterior takes, in one table. All of them are fitted to cases of known cause.
+// The numbers of the judgement in one table. All of them are fitted to cases of known cause.
 #pragma once
 
 #include <map>
@@ -31,29 +31,29 @@ struct JudgeNumbers {
   double per_gain = 0.4;
   double share = 0.5;
   double share_spread = 0.7;
-  std::map<std::string, double> rates = {};  ///< by effect, over the rate of a usual one
+  std::map<std::string, double> rates = {};  ///< logarithm of the rate of each effect over the usual rate
 
-  /// 0 for effects that no case told anything of.
+  /// Returns an element of `rates`; 0 for effects that are not among them.
   double rateOf(const std::string& name) const;
 };
 
-/// A row of the table, with what is believed of the number before any case.
+/// A row of the table, with the prior of the number.
 struct NumberInfo {
   const char* name;
   const char* meaning;
   const char* unit;
   double JudgeNumbers::* value;
-  bool positive;     ///< mean and deviation are of its logarithm, and so is the fit
-  double mean;       ///< of the number itself in either case
-  double deviation;  ///< standard deviation
+  bool positive;     ///< the logarithm is fitted and has the normal prior
+  double mean;       ///< of the prior; if `positive`, exponential of the mean of the logarithm
+  double deviation;  ///< standard deviation of the prior; of the logarithm if `positive`
 };
 
 const std::vector<NumberInfo>& numberTable();
 
-/// Standard deviation of each of `rates` before any case; their mean is 0.
+/// Standard deviation of the prior of each of `rates`; the mean is 0.
 constexpr double kRateDeviation = 0.7;
 
-/// The numbers as fitted last (fitted_numbers.cpp).
+/// Returns the numbers as fitted last (fitted_numbers.cpp).
 const JudgeNumbers& fittedNumbers();
 
 }  // namespace rubber_suspension::diagnosis::judge

@@ -17,8 +17,8 @@ using Eigen::ArrayXXd;
 using Eigen::Index;
 
 constexpr double kLeastSquare = 1e-8;                                     // of the force: keeps logarithms finite
-constexpr double kImpossible = -std::numeric_limits<double>::infinity();  // weight of what is no answer
-constexpr double kTypicalBlocks = 50.0;                                   // to which the sharpness refers
+constexpr double kImpossible = -std::numeric_limits<double>::infinity();  // log weight of inadmissible hypotheses
+constexpr double kTypicalBlocks = 50.0;                                   // number to which the sharpness refers
 
 void requireLogs(const Evidence& evidence) {
   const auto lacks = [&](const HypothesisEvidence& hypothesis) {
@@ -131,8 +131,8 @@ std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesi
   return rows;
 }
 
-// Sizes of what laws remove beyond those that they contain. They are judged as sizes of effects are, because a law
-// becomes a contained one at its limit.
+// Sizes of what laws remove beyond the laws that they contain. They have the prior of sizes of effects, because a law
+// equals a contained one at its limit.
 void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTable& table) {
   std::vector<double>& sizes = table.sizes_beyond.emplace_back();
   for (const int member : table.members[hypothesis]) {
@@ -140,7 +140,7 @@ void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTabl
     for (const Index row : withContained(evidence, hypothesis, member, table)) {
       least = std::min(least, sizeRemoved(table, static_cast<Index>(hypothesis), row));
     }
-    sizes.push_back(least);  // infinite for most members: no limit
+    sizes.push_back(least);  // infinite if no contained law was fitted
   }
 }
 
@@ -150,7 +150,7 @@ double leftByValues(const ScoreTable& table) {
   return table.guess ? left[Evidence::kReEstimated] : left.minCoeff();
 }
 
-// Prior of a set: the number and the rates of its effects, and the cost of what it frees in each log.
+// Log prior of a set: the number and the rates of its effects, minus the cost of the unknowns of each log.
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
   const auto row = static_cast<Index>(hypothesis);
@@ -164,7 +164,7 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
          numbers.per_offset * inAllLogs(free.offset) - numbers.per_gain * inAllLogs(free.gain || free.by_factor);
 }
 
-// Values that are far from those of the data sheet are improbable, whatever they leave: Student's t.
+// Log prior of the values by Student's t: values far from the data sheet are improbable, however well they fit.
 double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const double chi_squared = table.departure[static_cast<Index>(hypothesis)] / std::pow(numbers.sheet_scale, 2);
   return -0.5 * (numbers.sheet_tails + 1.0) * std::log1p(chi_squared / numbers.sheet_tails);
@@ -211,7 +211,7 @@ ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
 // Hypotheses are impossible if no model run can follow a log.
 void refuseInfinite(ArrayXd& weights) { weights = weights.isFinite().select(weights, kImpossible); }
 
-// No guess is right as configured, with a gain or without.
+// A guess is not right as configured, with or without a gain.
 void refuseConfigured(const ScoreTable& table, LogWeights& weights) {
   weights.alone[Evidence::kAsConfigured] = kImpossible;
   for (std::size_t h = 0; h < table.members.size(); ++h) {
@@ -311,7 +311,7 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   for (std::size_t h = 0; h < table.members.size(); ++h) {
     const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
     weights.alone[static_cast<Index>(h)] += prior;
-    // Beside a residual force it does not matter whether values are wrong, nor how they are read.
+    // Beside a residual force, right and wrong values are one answer: the re-estimated model, without its own prior.
     double& beside = weights.beside[static_cast<Index>(h)];
     beside += prior;
     if (table.another_reading[h]) {

@@ -16,80 +16,81 @@ namespace rubber_suspension::diagnosis::judge {
 struct Band {
   Eigen::Index log;
   std::size_t octave;  ///< place in LogEvidence::octaves
-  double share;        ///< what it counts of the log
+  double share;        ///< of the weight of the log
 };
 
-/// The part of the evidence that the score takes, a row for each hypothesis, a column for each log. Squares are mean
-/// squares in units of the variance of the force.
+/// The part of the evidence that the score uses, with a row for each hypothesis and a column for each log. Squares are
+/// mean squares in units of the variance of the force.
 struct ScoreTable {
   std::vector<std::string> effects;
   std::vector<bool> constant;  ///< of each effect
   std::vector<std::vector<int>> members;
-  std::vector<std::size_t> mechanisms;  ///< of the members together
+  std::vector<std::size_t> mechanisms;  ///< number of mechanisms of all members (mechanismsOf())
   Eigen::ArrayXXd errors;               ///< squares
   Eigen::ArrayXXd left;                 ///< squares beyond the noise floor
   Eigen::ArrayXXd added;                ///< squares of the forces of the members whose law has several forms
-  Eigen::ArrayXXd added_of_one;         ///< of those whose law has one form
-  Eigen::ArrayXXd in_bands;  ///< squares beyond the noise floor by band of a log, each over what the band counts
-  Eigen::ArrayXd departure;  ///< chi^2 of the numbers of the data sheet
-  Eigen::ArrayXd beyond;     ///< numbers beyond the laws that the members contain
+  Eigen::ArrayXXd added_of_one;         ///< squares of the forces of the members whose law has one form
+  Eigen::ArrayXXd in_bands;             ///< squares beyond the noise floor in each band, over the share of the band
+  Eigen::ArrayXd departure;             ///< chi^2 of the numbers of the data sheet
+  Eigen::ArrayXd beyond;                ///< numbers beyond the laws that the members contain
   std::vector<fit::PerLogNuisances> free_in_log;
-  std::vector<bool> another_reading;  ///< of wrong values, by an effect beside those as configured
-  /// Logarithm of the size of each member over all logs; of wrong values, of what they remove.
+  std::vector<bool> another_reading;  ///< the hypothesis reads wrong values as an effect (keeps_values)
+  /// Logarithm of the size of each member over all logs; for wrong values, of the residual that they remove.
   std::vector<std::vector<double>> sizes;
-  /// Sizes of what each member whose law contains others removes beyond the best of these.
+  /// Logarithm of the size of what each member removes beyond the best of the effects that it contains; else infinite.
   std::vector<std::vector<double>> sizes_beyond;
-  double by_values = 0.0;            ///< square that is left beyond the floor without effects, by the better values
-  bool guess = false;                ///< the model as configured is no answer
-  Eigen::ArrayXd floor;              ///< of each log, squared; no more than a hypothesis leaves of it
-  Eigen::ArrayXd floor_uncertainty;  ///< of each log, the standard error of the logarithm of its floor
+  double by_values = 0.0;            ///< squared residual beyond the floor without effects, with the better values
+  bool guess = false;                ///< the model as configured is inadmissible
+  Eigen::ArrayXd floor;              ///< squared floor of each log, at most the least error of any hypothesis
+  Eigen::ArrayXd floor_uncertainty;  ///< standard error of the logarithm of the floor of each log
   Eigen::ArrayXd weight;             ///< of each log; they add up to 1
   std::vector<Band> bands;           ///< the columns of `in_bands`
-  double blocks = 0.0;               ///< of the logs that errors are known of
+  double blocks = 0.0;               ///< number of blocks with known errors
 };
 
-/// Throws std::invalid_argument where the evidence has no logs or a hypothesis no errors by log.
+/// Returns the table of evidence. Throws std::invalid_argument if it has no logs or a hypothesis has no errors by log.
 ScoreTable scoreTable(const Evidence& evidence);
 
-/// The square that each hypothesis is expected to leave of each log beyond its noise, s^2 below.
+/// Returns the squared residual beyond noise that is expected of each hypothesis on each log: s^2 below.
 Eigen::ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& numbers);
 
-/// The sharpness kappa for this many blocks.
+/// Returns the sharpness kappa for the blocks of the table.
 double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers);
 
-/// One, or as many as the laws are that a law contains: what does the work of two is as seldom as two.
+/// Returns the number of mechanisms of a law that contains so many others: at least 1. A law that does the work of two
+/// is as improbable as two laws.
 inline std::size_t mechanismsOf(std::size_t contained) { return std::max<std::size_t>(contained, 1); }
 
-/// Prior of so many mechanisms at work, whichever they are.
+/// Returns the log prior of a number of mechanisms at work, whichever they are.
 double priorOfCount(std::size_t mechanisms, const JudgeNumbers& numbers);
 
-/// The cost of numbers that laws have beyond those that they contain: of each a multiple of half the logarithm of the
-/// blocks.
+/// Returns the cost of numbers that laws have beyond the laws that they contain: for each number, per_number_beyond
+/// times half the logarithm of the number of blocks.
 double costOfNumbers(double beyond, double blocks, const JudgeNumbers& numbers);
 
-/// The size below which an effect is improbable: a share of what values leave.
+/// Returns the size below which an effect is improbable: a share of the residual without effects.
 double usualSize(const ScoreTable& table, const JudgeNumbers& numbers);
 
-/// Prior of sizes: logarithms of RMS forces over the force's deviation, of which what is below the usual one is
-/// improbable: a normal distribution of so wide a spread there.
+/// Returns the log prior of sizes, which are logarithms of RMS forces over the force's standard deviation: below
+/// ln(usual) that of a normal distribution with standard deviation `spread`, above it 0.
 double priorOfSizes(const std::vector<double>& sizes, double usual, double spread);
 
-/// The cost of squares left where these are expected: ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)).
+/// Returns the cost of a squared residual r^2 = `left` if s^2 = `expected`: ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)).
 double lossOf(double left, double expected, const JudgeNumbers& numbers);
 
-/// Logarithm of the weight of each hypothesis: alone, and beside a rest that no listed effect causes.
+/// Logarithm of the weight of each hypothesis: alone, and beside a residual force of unlisted cause.
 struct LogWeights {
   Eigen::ArrayXd alone;
   Eigen::ArrayXd beside;
 };
 
-/// With s^2 = (b sigma)^2 + delta^2 + sum of (eta A)^2, what a hypothesis is expected to leave of a log, and r^2, what
-/// it leaves beyond the floor sigma, its weight alone is that of Student's t,
-/// -kappa/2 sum over logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))), and beside a rest of free size and spectrum
-/// -kappa/2 sum over logs and bands of w p (ln max(r^2 q/p, s^2) + 1), p being what a band counts of
-/// its log and q its share of what is left there (Whittle's likelihood of a rest whose spectrum is not known); each
-/// with the prior of the set, of the shares that its members have in what is left without them, of the numbers that it
-/// frees and of how far its values are from the data sheet.
+/// Returns the log weights of all hypotheses. Let r^2 be the squared residual of a hypothesis on a log beyond the floor
+/// sigma, and s^2 = (b sigma)^2 + delta^2 + sum of (eta A)^2 its expectation, with RMS forces A of its members,
+/// b = floor_known, delta = accepted and eta = form_error. Alone the weight is that of Student's t with nu = tails,
+/// -kappa/2 sum over logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))). Beside a residual force of unknown size and
+/// spectrum it is -kappa/2 sum over logs and bands of w p (ln max(r^2 q/p, s^2) + 1), where p is the share of a band in
+/// the weight w of its log and q its share of the residual (Whittle's likelihood). Both include the log priors of the
+/// set, of the sizes of its members, of its free numbers, and of the deviations from the data sheet.
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers);
 
 }  // namespace rubber_suspension::diagnosis::judge
