@@ -7,14 +7,14 @@
 namespace rubber_suspension::diagnosis::experiment {
 
 Stroke strokeOf(double low, double high) {
-  constexpr double kSymmetric = 0.05;  // of the half stroke: a zero that nobody set
+  constexpr double kSymmetric = 0.05;  // of the half stroke: a smaller centre is an offset
   const Stroke stroke{0.5 * (low + high), 0.5 * (high - low)};
   return std::abs(stroke.centre) > kSymmetric * stroke.half ? stroke : Stroke{0.0, std::min(-low, high)};
 }
 
 Bounds boundsOf(const fit::Excitation& excitation, const std::vector<gap::PreparedRecord>& records,
                 const ExperimentLimits& limits) {
-  constexpr double kOverForce = 1.05;  // the same motion again must not exceed what it reached: fits and noise differ
+  constexpr double kOverForce = 1.05;  // admits the same motion again despite noise and errors of fits
   double low = 0.0;
   double high = 0.0;
   double force = 0.0;

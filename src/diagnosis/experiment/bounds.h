@@ -9,27 +9,27 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// Where a motion may be: about `centre`, by `half` to either side [m].
+/// Range of a motion: `half` to either side of `centre` [m].
 struct Stroke {
   double centre = 0.0;
   double half = 0.0;
 };
 
-/// Stroke of displacements from `low` to `high`. If that is nearly symmetric, the centre is 0 and the smaller side
-/// counts.
+/// Returns the stroke of displacements from `low` to `high`. If it is nearly symmetric, the centre is 0 and `half` is
+/// the smaller side.
 Stroke strokeOf(double low, double high);
 
 /// The bounds of an experiment.
 struct Bounds {
   Stroke stroke;
   double speed = 0.0;      ///< largest |dz/dt| [m/s]
-  double frequency = 0.0;  ///< highest [Hz]
-  double force = 0.0;      ///< largest |F| of any explanation [N]
+  double frequency = 0.0;  ///< highest frequency of a motion [Hz]
+  double force = 0.0;      ///< largest |F| that an explanation may predict [N]
   double duration = 0.0;   ///< from rest at 0 to rest at 0 [s]
-  double dt = 0.0;         ///< no finer steps than these [s]
+  double dt = 0.0;         ///< shortest time step [s]
 };
 
-/// The limits given; where one is not, what the logs reached.
+/// Returns the limits; for each that is not set, the value that the logs reached.
 Bounds boundsOf(const fit::Excitation& excitation, const std::vector<gap::PreparedRecord>& records,
                 const ExperimentLimits& limits);
 

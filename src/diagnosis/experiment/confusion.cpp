@@ -1,4 +1,4 @@
-// The table of confusions.
+// The table of implanted effects.
 #include "diagnosis/experiment/confusion.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using hypotheses::Search;
 using judge::Answer;
 
 constexpr double kLeastSize = 1e-4;  // of the force, at which the search for the least size begins
-constexpr int kHalvings = 10;        // of the logarithm between that and all of the force: to 1 %
+constexpr int kHalvings = 10;        // of the logarithm between kLeastSize and all of the force: to 1 %
 
 enum class Outcome { found, confounded, taken_for, unexplained, out_of_reach };
 
@@ -52,7 +52,7 @@ Outcome outcomeOf(const Answer& answer, int effect) {
   return listed ? Outcome::confounded : Outcome::taken_for;
 }
 
-// Most frequent outcome. If half is found, alone or in a set, it is one of these two.
+// Most frequent outcome; if at least half of the shapes are found or confounded, the more frequent of these two.
 Outcome commonest(std::map<Outcome, double> outcomes) {
   if (outcomes[Outcome::found] + outcomes[Outcome::confounded] >= 0.5) {
     return outcomes[Outcome::found] < outcomes[Outcome::confounded] ? Outcome::confounded : Outcome::found;
@@ -62,7 +62,7 @@ Outcome commonest(std::map<Outcome, double> outcomes) {
       ->first;
 }
 
-// Effects are named, and wrong values may be all the same.
+// True if effects are named, but wrong values are an alternative.
 bool valuesWouldDo(const Answer& answer) {
   return !answer.effects.empty() &&
          std::any_of(answer.alternatives.begin(), answer.alternatives.end(),
@@ -84,7 +84,7 @@ class EffectRow {
     ImplantedEffect row;
     row.effect = name(effect_);
     row.named_as.assign(search_.candidates.size(), 0.0);
-    if (implants_.empty()) {  // the logs lack what it needs
+    if (implants_.empty()) {  // the logs lack what the effect needs
       row.outcome = outcomeName(Outcome::out_of_reach);
       row.nothing_named = 1.0;
       row.least_size = std::numeric_limits<double>::infinity();
@@ -110,7 +110,7 @@ class EffectRow {
   }
 
  private:
-  static constexpr int kWrongValues = -1;  // in the place of an effect
+  static constexpr int kWrongValues = -1;  // index in place of that of an effect
 
   std::string name(int effect) const {
     return effect == kWrongValues ? toString(Verdict::parameter_error)
@@ -121,7 +121,7 @@ class EffectRow {
     return implant.hidden_by_rig ? Answer{} : judge::answer(experiment::evidenceOf(search_, implant, size));
   }
 
-  // Named, or in a set of what may be; wrong values where they may be at work instead.
+  // Other effects of the listed sets, and wrong values if they are an alternative.
   std::set<int> othersOf(const Answer& answer) const {
     std::set<int> others;
     for (const std::vector<int>& set : answer.confounded) {
@@ -134,7 +134,7 @@ class EffectRow {
     return others;
   }
 
-  // Effects of at least a fifth of the shapes, most frequent first.
+  // Names with more than a fifth of the shapes, most frequent first.
   std::vector<std::string> byShare(const std::map<int, double>& shares) const {
     constexpr double kToTell = 0.2;
     std::vector<std::pair<double, int>> order;

@@ -1,4 +1,4 @@
-// Confusion of effects: implanted effects before the judge.
+// Confusion of effects: the judgement of implanted effects.
 #pragma once
 
 #include "diagnosis/hypotheses/implant.h"
@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// The evidence that an implant of this size would be, on logs that otherwise agree with the model.
+/// Returns the evidence for an implant of a size (a gap), on logs that otherwise agree with the model.
 judge::Evidence evidenceOf(const hypotheses::Search& search, const hypotheses::Implant& implant, double size);
 
-/// The table of all implants of a search at a size (a gap), judged as logs are.
+/// Returns the judgement of all implants of a search at a size (a gap).
 CouldShow couldShow(const hypotheses::Search& search, double size, const std::string& why);
 
-/// Judges effects at a third of the gap above the noise; without a gap, at 10 % of the force.
+/// Judges implants at a third of the gap above the noise or, if there is hardly any gap, at 10 % of the force.
 CouldShow couldShow(const hypotheses::Search& search);
 
 }  // namespace rubber_suspension::diagnosis::experiment

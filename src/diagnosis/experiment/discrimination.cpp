@@ -1,4 +1,4 @@
-// Differences of explanations after a refit.
+// Differences between explanations after a refit.
 #include "diagnosis/experiment/discrimination.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr std::size_t kRefitted = 8;   // motions that explanations are fitted to
-constexpr std::size_t kAtOnce = 2;     // of these
-constexpr double kLeastSquare = 1e-8;  // of the force: below it a size is no size
+constexpr std::size_t kAtOnce = 2;     // of these, at the same time
+constexpr double kLeastSquare = 1e-8;  // of the force: keeps logarithms finite
 
 void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns) {
   const double square = direction.squaredNorm();
@@ -86,7 +86,7 @@ double Discriminator::moreNoise(const Eigen::VectorXd& force) const {
   return std::pow(judge::fittedNumbers().floor_known * noise_, 2) * std::max(0.0, ratio * ratio - 1.0);
 }
 
-// Expected entropy of the names before any refit: motions are tried in this order.
+// Expected entropy of the names without a refit, by which motions are ordered.
 double Discriminator::unrefitted(std::size_t motion) const {
   const auto logs = static_cast<double>(fitter_.records().size());
   double open = 0.0;
@@ -102,7 +102,7 @@ double Discriminator::unrefitted(std::size_t motion) const {
   return open;
 }
 
-// The best of each kind, as far as there is time to refit: motions of a kind are taken by the same parameters.
+// The best motions, of each kind in turn, because a refit absorbs motions of one kind by the same parameters.
 std::vector<std::size_t> Discriminator::promising(const std::vector<std::size_t>& motions) const {
   std::vector<std::pair<double, std::size_t>> order(motions.size());
   fit::parallelFor(motions.size(), threads_, [&](std::size_t i) { order[i] = {unrefitted(motions[i]), motions[i]}; });
@@ -153,7 +153,7 @@ std::vector<bool> Discriminator::movable(std::size_t explanation) const {
   return movable;
 }
 
-// An explanation over the motions: terms that add up with all else are played alone.
+// An explanation on the motions, with the forces of terms that are played alone.
 fit::Hypothesis Discriminator::played(std::size_t explanation) const {
   fit::Hypothesis hypothesis = explanations_[explanation].fitted->hypothesis;
   fit::parallelFor(hypothesis.terms.size(), threads_, [&](std::size_t t) {
@@ -168,7 +168,7 @@ fit::Hypothesis Discriminator::played(std::size_t explanation) const {
   return hypothesis;
 }
 
-// On each of the motions played, without what is free in a new log. `whole`: its forces there.
+// Derivatives on each of the motions played, after elimination of the unknowns of a new log. `whole`: forces there.
 std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
                                                         const std::vector<Eigen::VectorXd>& whole) const {
   const fit::Hypothesis hypothesis = played(explanation);
@@ -187,7 +187,7 @@ std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
   return derivatives;
 }
 
-// Projects the forces to which a wrong explanation would be fitted; the columns themselves need too much memory.
+// Stores the products for a refit of a wrong explanation, because its columns would need too much memory.
 void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& motions) {
   Predictions& of_wrong = predictions_[wrong];
   const auto whole = element::each(motions, [&](std::size_t motion) { return of_wrong.force[motion]; });
@@ -218,7 +218,7 @@ double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixX
   return judge::priorOfSizes(sizes, explanations_[explanation].usual_size, judge::fittedNumbers().share_spread);
 }
 
-// Error of the wrong explanation after a refit, on the motion and on the logs before, and its members then.
+// Error of the wrong explanation on the motion and the logs after a refit, and the change of its prior.
 Refitted Discriminator::refitted(std::size_t right, std::size_t wrong, std::size_t motion) const {
   const Normal& normal = normal_[wrong];
   const OnMotion& on_motion = predictions_[wrong].on_motion[motion];
@@ -262,7 +262,7 @@ Discrimination Discriminator::weigh(const Experiment& experiment, std::size_t mo
       result.difference *= gap::standardDeviation(predictions_[0].force[motion]);
     }
   }
-  // In the judgement each log counts less when one more is added; a log that tells less than that can be left out.
+  // Each log counts less in the judgement when one is added; a log that costs more than it gains can be omitted.
   result.open = std::min(result.open, openNames(explanations_, probabilitiesOf(explanations_)));
   return result;
 }

@@ -1,4 +1,4 @@
-// Differences of explanations of the same logs over a motion, after the wrong ones have been fitted to it.
+// Differences between explanations of the same logs on a motion, after a refit of the wrong ones to it.
 #pragma once
 
 #include <limits>
@@ -14,21 +14,21 @@ namespace rubber_suspension::diagnosis::experiment {
 /// A motion and what it is expected to decide.
 struct Discrimination {
   const Experiment* experiment = nullptr;
-  double difference = 0.0;  ///< were the first right: RMS force by which the nearest other would still be off [N]
-  std::size_t nearest = 0;  ///< that explanation, none that can do all that the first can; 0: there is none
-  double open = std::numeric_limits<double>::infinity();  ///< names, expected once the motion is among the logs [bit]
-  double probability = 0.0;                               ///< that the right explanation stands alone then
+  double difference = 0.0;  ///< if the first explanation is right: RMS error of the nearest other after a refit [N]
+  std::size_t nearest = 0;  ///< that explanation, which does not contain the first; 0: there is none
+  double open = std::numeric_limits<double>::infinity();  ///< expected entropy of names after it [bit]
+  double probability = 0.0;  ///< expected, that the right explanation stands alone after it
 };
 
-/// The motion that most lowers the expected entropy of the names (Lindley, Ann. Math. Stat. 27, 1956): of each effect,
-/// whether it is at work. Each explanation is taken for right with its probability; each other one gives way by a
-/// Gauss-Newton step on the normal equations of the logs and of the motion together. What it is still off by counts, on
-/// the motion and on the logs, as the judgement does, and so does a member that the step leaves next to no force: of
-/// sets that hold one another the larger one can follow the smaller one, but not keep its name. The zero of the force
-/// is free in a new log.
+/// Finds the motion that most lowers the expected entropy of the names (Lindley, Ann. Math. Stat. 27, 1956): for each
+/// effect, whether it is at work. Each explanation is assumed right with its probability, and all others are refitted
+/// by a Gauss-Newton step on the normal equations of the logs and the motion together. Their remaining errors are
+/// judged as in a diagnosis, and so are the sizes of their members: a set that contains the right one can reproduce its
+/// force, but only with a further member of almost no force, which is improbable. The offset of a new log is free.
 class Discriminator {
  public:
-  /// All have to outlive it. `force_limit`: motions that any explanation says need more are out [N].
+  /// All arguments have to outlive this object. `force_limit`: largest force that an explanation may predict for a
+  /// motion; other motions are excluded [N].
   Discriminator(const fit::Fitter& fitter, const hypotheses::Search& search,
                 const std::vector<Explanation>& explanations, double force_limit, int threads);
   Discriminator(const Discriminator&) = delete;
@@ -45,8 +45,8 @@ class Discriminator {
     numerics::Limits bounds;  // of a step
     fit::PerLogNuisances free;
   };
-  // Products of the derivatives C of an explanation on a motion and of its difference d to each of the others, all
-  // without what is free in a new log.
+  // Products of the derivatives C of an explanation on a motion and of its difference d to each of the others, after
+  // elimination of the unknowns of a new log.
   struct OnMotion {
     Eigen::MatrixXd gram;                 // C'C
     std::vector<Eigen::VectorXd> moment;  // C'd
@@ -78,8 +78,8 @@ class Discriminator {
   const fit::Fitter& fitter_;
   const std::vector<Explanation>& explanations_;
   const std::vector<fit::Candidate>& candidates_;
-  double noise_;  // of the logs, over the deviation of their force
-  double force_;  // that deviation [N]
+  double noise_;  // floor of the logs over the standard deviation of their force
+  double force_;  // standard deviation of the force of the logs [N]
   double force_limit_;
   int threads_;
   PlayedMotions played_;

@@ -1,4 +1,4 @@
-// Limits of a proposed experiment: their table, and how text becomes one.
+// Limits of a proposed experiment: their table, and the parser of assignments.
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 
 #include <fmt/format.h>

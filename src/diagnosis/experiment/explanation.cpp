@@ -30,7 +30,7 @@ std::vector<Ranked> rankedHypotheses(const Workings& workings) {
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.first > b.first; });
   const auto judged =
       std::find_if(ranked.begin(), ranked.end(), [&](const Ranked& one) { return one.second == answer.model; });
-  judged->first = answer.probability;  // also where that is the probability of a rest alone
+  judged->first = answer.probability;  // also if this is the probability of an unlisted cause alone
   std::rotate(ranked.begin(), judged, judged + 1);
   return ranked;
 }

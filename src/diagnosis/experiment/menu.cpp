@@ -16,11 +16,10 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * element::kPi;
 constexpr double kWithin = 1.0 - 1e-6;        // of a bound, so that rounding does not exceed it
-constexpr double kMostSamplesOfMotion = 1e5;  // beyond, every second or third step of the bench will do
-constexpr double kCyclesOfMotion =
-    40.0;  // of a motion, where there is room: a fit to part of it has to predict the rest
+constexpr double kMostSamplesOfMotion = 1e5;  // longer motions have a multiple of the time step
+constexpr double kCyclesOfMotion = 40.0;      // at most: a fit to some of them has to predict the others
 constexpr double kFewestCycles = 6.0;
-constexpr double kPerPeriod = 40.0;  // samples of the highest frequency by which models are compared
+constexpr double kPerPeriod = 40.0;  // samples for a comparison of models, at the highest frequency
 
 using Law = std::function<double(double)>;
 
@@ -40,11 +39,11 @@ struct Shape {
   double frequency;   // highest that the steps have to resolve [Hz]
   double share;       // of the half stroke that its peak should reach, as far as the speed allows
   Law law;            // of time [s], of any amplitude
-  std::string words;  // each # is a part of the peak that it has [mm]
+  std::string words;  // each # stands for one of `parts` of the peak [mm]
   std::vector<double> parts = {1.0};
 };
 
-// The words of a motion with its displacements.
+// The description of a motion with its displacements.
 std::string described(const Shape& shape, double peak) {
   std::string text = shape.words;
   for (const double part : shape.parts) {
@@ -57,7 +56,7 @@ class Menu {
  public:
   explicit Menu(const Bounds& bounds)
       : bounds_(bounds),
-        // The fastest ease of the centre is pi/2 times its mean rate.
+        // The largest rate of an ease is pi/2 times its mean rate.
         travel_(0.5 * element::kPi * std::abs(bounds.stroke.centre) / bounds.speed / kWithin),
         room_(bounds.duration - 2.0 * travel_) {}
 
@@ -80,8 +79,8 @@ class Menu {
  private:
   void findFrequencies() {
     constexpr double kFewCycles = 5.0;
-    // At a corner the rate jumps between two samples, so that a force that depends on the rate appears late by a part
-    // of a sample: this spoils a percent of a cycle with this number of samples.
+    // At a corner the rate jumps between two samples, so that a force that depends on the rate appears late by part of
+    // a sample. With this number of samples per cycle, this affects one percent of a cycle.
     constexpr double kSamplesOfTriangle = 400.0;
     highest_ = bounds_.frequency;
     full_ = std::min(highest_, bounds_.speed / (kTwoPi * bounds_.stroke.half));
@@ -124,7 +123,7 @@ class Menu {
     return bounds_.stroke.centre == 0.0 ? "" : fmt::format(", all about {:.3g} mm", 1e3 * bounds_.stroke.centre);
   }
 
-  // So many cycles, or as many as there is room for; 0 where these are fewer than tell anything.
+  // The wanted number of cycles, or as many as there is room for; 0 if these are too few.
   double cyclesWithin(double frequency, double wanted) const {
     const double cycles = std::min(wanted, std::floor(0.95 * room_ * frequency));
     return cycles < kFewestCycles ? 0.0 : cycles;
@@ -268,7 +267,7 @@ class Menu {
     addParts("amplitudes", {1.0, 0.3, 0.1});
   }
 
-  // Motion of full stroke that is repeated after a rest, that continues, and that stands between rests.
+  // Sines of full stroke: repeated after a rest, between rests, and without a rest.
   void addRepeats() {
     const double omega = kTwoPi * full_;
     const double cycle = 1.0 / full_;
@@ -292,7 +291,7 @@ class Menu {
   double room_;           // the time left for a motion about the centre [s]
   double highest_ = 0.0;  // frequencies that the motions are made of [Hz]
   double full_ = 0.0;     // the highest sine of full stroke
-  double lowest_ = 0.0;   // of which some cycles fit in
+  double lowest_ = 0.0;   // the lowest of which some cycles fit in
   double corner_ = 0.0;   // the highest triangle
   std::vector<Experiment> menu_;
 };

@@ -12,8 +12,8 @@ namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr double kSure = 0.95;          // probability of a verdict that no further experiment is proposed for
-constexpr double kWorthPlaying = 0.25;  // of what is open about the names, that a motion has to settle
-constexpr double kNothingOpen = 1e-3;   // bit
+constexpr double kWorthPlaying = 0.25;  // of the entropy of the names, which a motion has to remove
+constexpr double kNothingOpen = 1e-3;   // [bit]
 
 struct Relaxation {
   WiderLimit limit;
@@ -23,7 +23,7 @@ struct Relaxation {
 std::vector<Relaxation> relaxationsOf(const Bounds& bounds) {
   constexpr double kWider = 2.0;
   constexpr double kLonger = 5.0;
-  constexpr double kForce = 3.0;  // what more stroke or speed may need: stiffening included
+  constexpr double kForce = 3.0;  // for twice the stroke or speed, including stiffening
   Bounds wider = bounds;
   wider.stroke.half *= kWider;
   wider.speed *= kWider;

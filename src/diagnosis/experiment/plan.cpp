@@ -22,7 +22,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// The force that the component would have over each log, one after the other, with noise.
+// Simulates the force of the component over the logs, one after the other, and adds noise.
 void simulateForces(const component::Component& component, double noise, std::vector<log::Log>& logs) {
   component::ComponentState state = component.makeState();
   std::mt19937 generator(1);

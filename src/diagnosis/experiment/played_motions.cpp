@@ -9,7 +9,7 @@
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr double kRipple = 0.02;  // of a log's range: a reversal smaller than that leaves no trace to speak of
+constexpr double kRipple = 0.02;  // of a log's range: smaller reversals hardly soften
 
 // Samples at which a displacement turns round by more than the ripple, the last one included.
 std::vector<Eigen::Index> turningPoints(const Eigen::VectorXd& z) {

@@ -1,4 +1,4 @@
-// Forces over motions that a component goes through after the logs of a diagnosis.
+// Forces over motions that a component performs after the logs of a diagnosis.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,22 +10,22 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// Motions on the component of the logs: relaxed and cooled, but softened by where it was. Each motion is played on its
-/// own, right after the logs.
+/// Motions of the component of the logs, which is relaxed and cooled, but softened by the logs. Each motion is played
+/// directly after the logs.
 class PlayedMotions {
  public:
   explicit PlayedMotions(const std::vector<gap::PreparedRecord>& logs);
 
-  /// Replace the motions. The menu has to outlive this.
+  /// Replaces the motions. The menu has to outlive this object.
   void play(std::vector<const Experiment*> motions) { motions_ = std::move(motions); }
 
   const std::vector<const Experiment*>& motions() const { return motions_; }
 
-  /// Force of a component over each motion [N], at one in `stride` of its samples.
+  /// Returns the force of a component over each motion [N], at every stride-th sample.
   std::vector<Eigen::VectorXd> forces(const std::vector<element::ElementDescription>& elements) const;
 
  private:
-  // Where the logs turned round, and how long after the turn before: softening remembers displacement and path.
+  // A turning point of the logs, and the time since the one before: softening depends on displacement and path.
   struct Turn {
     double after;  // [s]; 0: a log begins
     double displacement;

@@ -1,4 +1,4 @@
-// The component that a fitted hypothesis amounts to.
+// The component of a fitted hypothesis.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// The entries of a fitted hypothesis as a user would write them: sliders of one friction in one table.
+/// Returns the entries of a fitted hypothesis as a user would write them, such as all sliders of a friction in one
+/// table.
 std::vector<element::ElementDescription> entriesOf(const FittedHypothesis& fitted);
 
-/// The model with the parameters of a fit and its entries on top.
+/// Returns the model with the parameters of a fit and its entries added.
 io::ComponentDescription augmentedDescription(const fit::ModelParameters& model, const FittedHypothesis& fitted);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -14,8 +14,8 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-constexpr std::size_t kMostShapes = 6;  // of an effect: the first, the last and those evenly between
-constexpr double kNothing = 1e-9;       // of a typical effect's force: the rig explains less than this entirely
+constexpr std::size_t kMostShapes = 6;  // of an effect: the first, the last and evenly spaced ones between
+constexpr double kNothing = 1e-9;       // gap: a smaller typical effect has no force but rounding errors
 
 // Basis terms that a candidate is fitted with.
 struct Fitted {
@@ -24,7 +24,7 @@ struct Fitted {
   std::vector<bool> is_signed;
 };
 
-// Normal equations after elimination of the model parameters. `free`: what is free in each log.
+// Normal equations after elimination of the model parameters and of the per-log unknowns `free`.
 class Projected {
  public:
   Projected(const fit::HypothesisFitter& fitter, const Screening& screening, const fit::PerLogNuisances& free)
@@ -44,7 +44,7 @@ class Projected {
         gram.bottomRightCorner(size_ - model_, size_ - model_) - gram.bottomLeftCorner(size_ - model_, model_) * taken_;
   }
 
-  // Gap that a column makes, including what may be an error of the rig.
+  // Gap that a column causes, including any part of it that an error of the rig may explain.
   double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
   // Residuals of `scale` times a column after a fit of the model parameters and of a candidate's columns.
@@ -87,11 +87,11 @@ class Projected {
     return (blocks.sum - blocks.prior).topLeftCorner(size_, size_);
   }
 
-  Eigen::MatrixXd departures_;  // from known values, derivatives by each model parameter
+  Eigen::MatrixXd departures_;  // derivatives of the departures from known values by the model parameters
   const std::vector<fit::Candidate>& candidates_;
   Eigen::Index model_;
   Eigen::Index size_;
-  Eigen::MatrixXd whole_;      // without priors, nothing being free in a log
+  Eigen::MatrixXd whole_;      // without priors and per-log unknowns
   Eigen::MatrixXd plain_;      // without priors
   Eigen::VectorXd squares_;    // of each column
   Eigen::MatrixXd taken_;      // coefficients of the model parameters that fit each column
@@ -123,7 +123,7 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
   const Projected alone(fitter, screening, {});
   const std::size_t candidates = screening.candidates().size();
   std::vector<Fitted> fitted;
-  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);  // null: nothing is free in single logs
+  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);  // null if it has no per-log unknowns
   std::vector<Implant> implants;
   std::vector<Eigen::Index> column_of;
   for (std::size_t c = 0; c < candidates; ++c) {

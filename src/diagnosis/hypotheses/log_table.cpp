@@ -42,7 +42,7 @@ double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_r
   return (force.array() - mean).square().matrix().dot(counts) / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// Size of a member in each log. `added`: its force; `with`: the force of the model with it, for what is free in a log.
+// Size of a member in each log. `added`: its force; `with`: force of the model including it, for its per-log unknowns.
 std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::PerLogNuisances& all,
                                   const std::vector<gap::PreparedRecord>& records, const gap::Forces& added,
                                   const gap::Forces& with) {
@@ -93,8 +93,8 @@ std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const gap::P
   return octaveShares(free.any() ? free.addedTo(record, place, simulated).withoutRig(left) : record.withoutRig(left));
 }
 
-// Weight of each octave, half by the force of the model and half by the residual: a residual outside the frequencies of
-// the motion has to be explained, too. The result has the octaves of `left`.
+// Weight of each octave, half from the force of the model and half from `left`, the shares of the octaves in the
+// residual: a residual outside the frequencies of the motion has to be explained, too.
 std::vector<double> octavesOf(const Eigen::VectorXd& modelled, const std::vector<double>& left) {
   std::vector<double> octaves = octaveShares(modelled.array() - modelled.mean());
   if (octaves.empty() || left.empty()) {
@@ -106,7 +106,7 @@ std::vector<double> octavesOf(const Eigen::VectorXd& modelled, const std::vector
   return octaves;
 }
 
-// Selects values of the octaves that count; others do not affect the score.
+// Selects the values of octaves whose weight is not negligible.
 std::vector<double> whereCounted(const std::vector<double>& values, const std::vector<double>& octaves) {
   constexpr double kLeast = 1e-3;
   std::vector<double> counted;

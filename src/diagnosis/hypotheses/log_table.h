@@ -1,4 +1,4 @@
-// Evidence by log: what each hypothesis errs by, what each of its members adds, and how well the noise floor is known.
+// Evidence by log: the error of each hypothesis, the force of each member, and the noise floor with its uncertainty.
 #pragma once
 
 #include <vector>
@@ -10,27 +10,26 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// The parameters of a fitted hypothesis without the terms of one member, by its place among them: terms lie one member
-/// after the other.
+/// Returns the parameters of a fitted hypothesis with the scales of one member, by its place, set to 0.
 fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t member);
 
-/// Mean square of the force that each member of a fitted hypothesis adds to each record, in units of the variance of
-/// its force: of the force with the member less that without it, all other numbers as fitted; without its mean, which
-/// is a zero, where the member belongs to the rubber. What a member frees in each log counts as its own. Members
-/// without any force there have 0.
+/// Returns, for each member of a fitted hypothesis and each record, the mean square of the force that the member adds,
+/// in units of the variance of the record's force: the force with the member minus that without it, all other numbers
+/// as fitted. For members of the rubber the mean is removed, because an offset would absorb it. The residual that the
+/// per-log unknowns of a member absorb is added.
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted);
 
-/// Noise floor of each log held out, beside the hypothesis that leaves least of the logs of the fit: the floor is of
-/// the measurement, whatever is named.
+/// Returns the noise floor of each held-out log, from the hypothesis with the least error on the logs of the fit: the
+/// floor belongs to the measurement, whichever effects are named.
 std::vector<double> floorsOfUnseen(const PreparedCase& prepared, const Search& search);
 
-/// The evidence of a search, which has these floors, over the logs of the fit and then the unseen ones.
+/// Returns the evidence of a search that has these floors, over the logs of the fit and then the held-out ones.
 judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads);
 
-/// Shares of octaves of frequency in the energy of evenly spaced samples: of their mean, then of the octaves from the
-/// lowest frequency of the transform on (numerics::paddedSpectrum), so that they do not depend on the unit of time.
-/// Empty where there is no energy or it is not finite.
+/// Returns the shares of the mean and of each octave of frequency in the energy of evenly spaced samples. The octaves
+/// begin at the lowest frequency of the transform (numerics::paddedSpectrum), so that they do not depend on the unit of
+/// time. Empty if the energy is 0 or not finite.
 std::vector<double> octaveShares(const Eigen::VectorXd& values);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -1,4 +1,4 @@
-// The interface of a measurement to a search, be it logs or a table.
+// The interface through which a search uses a measurement: logs or a table.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// A measurement of one component that hypotheses are fitted to.
+/// A measurement of one component, to which hypotheses are fitted.
 class Measured {
  public:
   Measured() = default;
@@ -19,23 +19,23 @@ class Measured {
   Measured(const Measured&) = delete;
   Measured& operator=(const Measured&) = delete;
 
-  /// Fits with the numbers of the specification free.
+  /// Returns the fitter, whose model parameters are the numbers of the specification.
   virtual const fit::HypothesisFitter& fitter() const = 0;
 
-  /// Records for the unit effects of terms (fit::findUnitEffects()).
+  /// Returns the records for the unit effects of terms (fit::findUnitEffects()).
   virtual const std::vector<gap::PreparedRecord>& records() const = 0;
 
   virtual fit::Excitation excitation() const = 0;
 
-  /// The list of effects with their unit effects; those that such a measurement can never show have no terms.
+  /// Returns the candidates with their unit effects; those that such a measurement can never show have no terms.
   virtual std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
                                                  const FittedHypothesis& re_estimated, int threads) const = 0;
 
-  /// The error of a model by the time steps of the simulation, as a gap.
+  /// Returns the error of a model that is due to the time steps of the simulation, as a gap.
   virtual double discretisationError(const FittedHypothesis& model) const = 0;
 
-  /// The noise by what the best hypothesis so far leaves; found again where a better one is. `search` has the
-  /// re-estimated model and the noise found before.
+  /// Returns the noise, estimated from the residual of the best hypothesis so far; called again once a better one is
+  /// found. `search` has the re-estimated model and the previous estimate.
   virtual Noise estimateNoise(const FittedHypothesis& best, const Search& search) const = 0;
 };
 

@@ -118,7 +118,7 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
   }
   noise.floor = commonFloor(noise.of_logs, records);
   const double too_much = noise.floor / leastLeft(search);
-  if (too_much > 1.0 && std::isfinite(too_much)) {  // never 0
+  if (too_much > 1.0 && std::isfinite(too_much)) {  // no division by a gap of 0
     for (double& of_log : noise.of_logs) {
       of_log /= too_much;
     }

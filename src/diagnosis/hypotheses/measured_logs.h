@@ -1,4 +1,4 @@
-// Logs as a search takes them.
+// Logs as a measurement for the search.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// The elements with dashpots that take the displacement as smooth, not as linear between samples; empty where there
-/// are no dashpots. A dashpot of the first kind lags by half a step, which looks like a delay.
+/// Returns the elements with dashpots of order 2, which interpolate a smooth displacement; empty if there are no
+/// dashpots. Dashpots for a displacement that is linear between samples lag by half a step, which looks like a delay.
 std::vector<element::ElementDescription> withSmoothDashpots(std::vector<element::ElementDescription> elements);
 
-/// The fitter has to outlive it.
+/// Logs as a measurement. The fitter has to outlive it.
 class MeasuredLogs final : public Measured {
  public:
   explicit MeasuredLogs(fit::Fitter& fitter) : fitter_(fitter) {}
@@ -30,8 +30,8 @@ class MeasuredLogs final : public Measured {
   fit::Fitter& fitter_;
 };
 
-/// Candidates implanted into logs that a component makes as configured, with white noise of this share of the force
-/// [-]: the search of a plan, in which nothing is fitted. Not while fits run.
+/// Returns a search without fits, for a plan: candidates are implanted into logs simulated with the configured
+/// component. `noise`: white noise in the logs as a share of the force [-]. Must not be called while fits run.
 Search implanted(fit::Fitter& fitter, double noise, int threads);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

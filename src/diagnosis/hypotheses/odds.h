@@ -1,4 +1,4 @@
-// Approximate odds of hypotheses by their error on all logs, for the search.
+// Approximate odds of hypotheses from their error over all logs, for the search.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,12 +10,12 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// The weights of the judgement (judge/score.h) over all logs at once: what members add to the force is taken for what
-/// they remove of the error.
+/// Weights like those of the judgement (judge/score.h), but over all logs together, and with the error that members
+/// remove in place of the force that they add.
 class Odds {
  public:
-  /// `floor`: noise of all logs; `without`: error of the model without effects. Both in units of the force's standard
-  /// deviation. `blocks`: of all logs.
+  /// `floor`: noise floor of all logs; `without`: error of the model without effects; both in units of the force's
+  /// standard deviation. `blocks`: number of blocks of all logs.
   Odds(const std::vector<fit::Candidate>& candidates, double floor, double without, std::size_t blocks,
        std::size_t logs)
       : candidates_(candidates),
@@ -24,10 +24,10 @@ class Odds {
         blocks_(static_cast<double>(blocks)),
         logs_(static_cast<double>(logs)) {}
 
-  /// Logarithm of the weight of a hypothesis at these scales that leaves this error, departure included.
+  /// Returns the log weight of a hypothesis with these scales. `error`: fit::Fit::score() or a comparable gap.
   double of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const;
 
-  /// Most that any set of so many effects can have.
+  /// Returns the log weight of a set of so many effects of usual rate that leaves only the noise floor.
   double mostOf(std::size_t effects) const;
 
  private:
@@ -40,7 +40,7 @@ class Odds {
   double logs_;
 };
 
-/// The judgement's numbers for how much a model may err, as fitted last.
+/// Returns the fitted numbers of the judgement that concern the expected error of a model.
 measurement::ErrorScale errorScale();
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

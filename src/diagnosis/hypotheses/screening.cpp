@@ -108,7 +108,7 @@ double Screening::leftBy(const std::vector<int>& members) const {
   return std::sqrt(std::max(0.0, fit::squaresLeft(gram, fit::solve(gram, part.bounds))));
 }
 
-// Best parameters within one step of a fit: farther away the force is not linear in the model parameters.
+// Limits the step to that of a fit, because the force is not linear in the model parameters beyond.
 fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
   Part part = partOf(members);
   auto lower = part.bounds.lower.head(model_size_);

@@ -30,8 +30,8 @@ constexpr std::size_t kMostOfOneSize = 8;  // pairs and triples that are fitted
 constexpr std::size_t kMostStarts = 3;     // hypotheses that further effects are added to
 constexpr std::size_t kAtOnce = 4;         // sets that are fitted before the remaining ones are compared again
 constexpr std::size_t kMostEffects = 3;
-// Log odds below the best set beyond which a set is neither fitted nor extended. Screening linearises the laws, so that
-// its odds may be wrong by the second number.
+// Sets whose log odds are farther than this below those of the best set are neither fitted nor extended. Screened odds
+// may be wrong by the second number, because screening linearises the laws.
 constexpr double kWithinReach = 4.6;
 constexpr double kScreeningKnown = 2.3;
 constexpr double kWorthAFit = 2.3;  // log odds: larger sets are fitted if they could be a tenth as likely as the best
@@ -173,7 +173,7 @@ class Searcher {
 
   void estimateNoise() { result_.noise = measured_.estimateNoise(*bestOfAll(), result_); }
 
-  // The visible candidates, and the gap that a flexible fit could close.
+  // Finds the visible candidates, and the gap of a flexible fit.
   void measureVisibility(const Screening& screening) {
     result_.visibility = screening.visibility(result_.noise.floor);
     result_.implants = implantAll(fitter_, screening, threads_);

@@ -21,17 +21,17 @@ struct FittedHypothesis {
   fit::Fit fit;
 };
 
-/// By this ratio at most, a fit predicts blocks that took no part in it better than it fits the others: by chance.
+/// Largest ratio of the gap in sample to that on held-out blocks that chance explains.
 constexpr double kBetterByChance = 1.02;
 
 /// Noise floors, in units of the force's standard deviation.
 struct Noise {
   double floor = 0.0;           ///< of all logs
-  double floor_with_rig = 0.0;  ///< the same with the errors of the rig, which any model leaves
+  double floor_with_rig = 0.0;  ///< the same with the errors of the rig, which no model explains
   std::vector<double> of_logs;  ///< floor of each log of the fit
   std::vector<double> unseen;   ///< floor of each log held out (floorsOfUnseen())
-  std::vector<double> rest;     ///< of each log, noise of the least that models leave
-  std::vector<double> caused;   ///< of each log, what the noise of the displacement causes in the model
+  std::vector<double> rest;     ///< of each log, least noise in the residual of any model
+  std::vector<double> caused;   ///< of each log, error that noise of the displacement causes in the model
   std::string source;
 };
 
@@ -41,44 +41,42 @@ struct Visibility {
   bool testable = false;  ///< a typical size of it would show in these logs
 };
 
-/// Everything that was tried. Errors are root mean squares in units of the force's standard deviation.
+/// All hypotheses that were tried. Errors are root mean squares in units of the force's standard deviation.
 struct Search {
   fit::Excitation excitation;
   std::vector<fit::Candidate> candidates;
-  std::vector<std::string> excluded;  ///< effects that are ruled out, and fitted for what they would be otherwise
+  std::vector<std::string> excluded;  ///< effects that are ruled out, but fitted for their probability otherwise
   bool guess = false;                 ///< the data sheet is a guess
   double configured_gap = 0.0;        ///< as configured, without any fit
-  /// Parameters as configured. Where they are not worth a change, those re-estimated are within the noise of them:
-  /// their held-out blocks stand for these.
+  /// The model with its configured parameters. All else in its fit is that of the re-estimated model.
   FittedHypothesis as_configured;
   FittedHypothesis re_estimated;          ///< model parameters alone
   std::vector<FittedHypothesis> singles;  ///< one per candidate, in their order
-  std::vector<FittedHypothesis> pairs;    ///< those that a screening of all found worth a full fit, best first
+  std::vector<FittedHypothesis> pairs;    ///< those that are worth a full fit by a screening of all, best first
   std::vector<FittedHypothesis> triples;
-  double surrogate_gap = 0.0;   ///< held out, all candidates at once: what a flexible fit could close
-  double discretisation = 0.0;  ///< what dashpots of the model err by at the time steps of the logs
+  double surrogate_gap = 0.0;   ///< held-out gap with all candidates at once, as of a flexible fit
+  double discretisation = 0.0;  ///< gap due to the lag of dashpots at the time steps of the logs
   Noise noise;
   std::vector<Visibility> visibility;  ///< of each candidate
   std::vector<Implant> implants;       ///< each candidate implanted into these logs; none into a table
 
-  /// A hypothesis by its place in the evidence.
+  /// Returns a hypothesis by its index in the evidence.
   const FittedHypothesis& at(int hypothesis) const;
 
-  /// Singles, pairs and triples, in the order of the evidence.
+  /// Returns singles, pairs and triples, in the order of the evidence.
   std::vector<const FittedHypothesis*> withEffects() const;
 
-  /// True if a hypothesis competes with others: it does by itself, and has none of these effects.
+  /// Returns true if a hypothesis competes with others (fit::Hypothesis::competes()) and has none of these effects.
   bool competes(const fit::Hypothesis& hypothesis, const std::vector<std::string>& without) const;
 
-  /// The likeliest besides one, by what it leaves of all logs: with effects, or the model alone.
+  /// Returns the likeliest hypothesis other than `one` by its error over all logs; it may be the model alone.
   const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
 };
 
-/// The hypotheses of a search, each without what it leaves of logs and what its members add to them: that is what
-/// logs tell (evidenceOfLogs()), or the rows of a table.
+/// Returns the evidence of a search without logs, errors and sizes, which evidenceOfLogs() or the rows of a table add.
 judge::Evidence evidenceOf(const Search& search);
 
-/// Evidence without any hypothesis, and with nothing excluded.
+/// Returns evidence without hypotheses and without exclusions.
 judge::Evidence evidenceOfNone(const Search& search);
 
 /// Called with the stage's name and the fraction done.
@@ -86,11 +84,12 @@ using ProgressCallback = std::function<void(const std::string&, double)>;
 
 class Measured;
 
-/// Effects that the component or the options rule out. Throws std::invalid_argument for a name that is none.
+/// Returns the effects that the component or the options rule out. Throws std::invalid_argument if the options name an
+/// unknown effect.
 std::vector<std::string> excludedEffects(const io::ComponentDescription& component, const DiagnosisOptions& options);
 
-/// Fit all hypotheses about what was measured on `threads` threads. With effects that are excluded the search
-/// continues once the others are fitted, as if nothing was.
+/// Fits hypotheses to a measurement on `threads` threads. If effects are excluded, the search first fits the others and
+/// then continues as if nothing were excluded.
 Search search(const Measured& measured, const std::vector<std::string>& excluded, int threads,
               const ProgressCallback& progress = {});
 

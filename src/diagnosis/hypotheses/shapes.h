@@ -1,4 +1,4 @@
-// Numbers of a law that its force is not linear in, such as a clearance.
+// Shape parameters of laws, such as a clearance, in which the force is not linear.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Give each candidate with such a number (fit::Candidate::terms_at) the terms at the value that leaves least beside
-/// the re-estimated model, as if its force were linear in all else.
+/// Gives each candidate with a shape parameter (fit::Candidate::terms_at) the terms at the value with the least error
+/// beside the re-estimated model, as if the force were linear in all other parameters.
 void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
                   const std::vector<gap::PreparedRecord>& records, int threads,
                   std::vector<fit::Candidate>& candidates);
 
-/// A curve that a law may follow, and what it leaves of the logs.
+/// A curve that a law may follow, and the error with it.
 struct CurveLook {
   fit::Curve curve;
   double left = 0.0;
-  double left_straight = 0.0;  ///< with the law as it is
+  double left_straight = 0.0;  ///< error of the law without a curve
 };
 
 /// Finds the curve with the least error for the law of a member of a fitted hypothesis, by normal equations about it.

@@ -1,4 +1,4 @@
-// Where the fits of effects start.
+// Starts of the fits of effects.
 #include "diagnosis/hypotheses/starts.h"
 
 #include <algorithm>
@@ -69,8 +69,8 @@ std::optional<Eigen::Index> placeIn(const fit::Hypothesis& other, const fit::Ter
   return found == other.places.end() ? std::nullopt : std::optional(found - other.places.begin());
 }
 
-// True for terms that are new, additive or not 0. A fit leaves others at 0, because it would have to simulate their
-// force.
+// True for terms that are new, additive or not 0. All other terms stay at 0, because a fit would have to simulate
+// their force.
 std::vector<bool> mayMove(const FittedHypothesis& from, const fit::Hypothesis& hypothesis,
                           const fit::ParameterVector& start) {
   std::vector<bool> active;

@@ -1,4 +1,4 @@
-// Where the fits of effects start: each keeps the best of what it arrives at.
+// Fits of effects from several starts; each keeps the best result.
 #pragma once
 
 #include <vector>
@@ -8,28 +8,29 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// A single effect, from where the normal equations promise its least error: `start`. From where it gets with the
-/// configured values kept, too, if the model parameters moved far or if it changes what the others do. Errors above
-/// `reach`, in units of the force's standard deviation, are not followed further.
+/// Fits a single effect from `start`, where the normal equations predict its least error, and from the starts of its
+/// terms. If the model parameters moved far or the effect is not additive, fits it also from the configured values.
+/// Fits with errors above `reach`, in units of the force's standard deviation, are abandoned.
 void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
                const fit::ParameterVector& start, double reach, FittedHypothesis& single);
 
-/// One gain of all logs beside the configured values; where it may differ, a gain of each log beside values of their
-/// own, if these do clearly better than that and than other values alone.
+/// Fits one gain of all logs beside the configured values. If gains may differ between logs, also fits a gain of each
+/// log beside free values, which has to be clearly better than the common gain and than other values alone.
 void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
               FittedHypothesis& single);
 
-/// Several effects, from where the normal equations about some of them promise the least error, or where these arrived.
+/// Fits several effects from `start`, where the normal equations predict the least error, or else from the fit `from`
+/// of some of them.
 void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, const fit::ParameterVector& start,
                 double reach, FittedHypothesis& further);
 
-/// A hypothesis from where one arrived whose terms are among its own. It leaves no more of the logs than that.
+/// Fits a hypothesis from the fit of one whose terms are among its own, so that its error in sample is not larger.
 void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, FittedHypothesis& larger);
 
-/// A fitted hypothesis with a factor on the friction of each log; as it is where that leaves more than `reach`.
+/// Returns a fitted hypothesis with a factor on the friction of each log, not refitted if its gap exceeds `reach`.
 FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach);
 
-/// The members of a fitted hypothesis, one of them along a curve.
+/// Fits the members of a fitted hypothesis with one of them along a curve.
 void fitCurved(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach,
                FittedHypothesis& curved);
 

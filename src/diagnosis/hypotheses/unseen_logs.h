@@ -13,45 +13,45 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Errors of parts of logs that took no part in the fit, by what a fitted hypothesis predicts from the displacement
-/// smoothed as for the fits, since the noise of that sensor is the rig's.
+/// Errors of a prediction on parts of logs that took no part in the fit.
 using UnseenErrors = std::vector<gap::PartError>;
 
-/// Force of a fitted hypothesis over records, each of them recorded on a new component [N], from the displacement
-/// smoothed as for the fits: the noise of its sensor is the rig's.
+/// Returns the force of a fitted hypothesis over records, each of a new component [N]. The displacement is smoothed as
+/// for the fits, because the noise of its sensor is an error of the rig.
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<gap::PreparedRecord>& records);
 
-/// Errors of a fitted hypothesis on records, each from a new component.
+/// Returns the errors of a fitted hypothesis on records, each of a new component.
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<gap::PreparedRecord>& records);
 
-/// Errors of forces predicted by elements, with the per-log unknowns of a hypothesis.
+/// Returns the errors of forces predicted by elements, after removal of the per-log unknowns of a hypothesis.
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
                           const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records);
 
-/// The friction of a component on each record, each of them recorded on a new one (fit::frictionOf()).
+/// Returns the friction of a component on records, each of a new component (fit::frictionOf()).
 fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
                                 const std::vector<gap::PreparedRecord>& records);
 
-/// Errors of tenths of each record (gap::partErrors()) under a hypothesis: without what it has free in each log, which
-/// no simulation predicts, as far as the other tenths of the log tell it.
+/// Returns the errors of tenths of each record (gap::partErrors()) under a hypothesis. Per-log unknowns, which no
+/// simulation predicts, are removed as the other tenths of the log determine them.
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis,
                                          const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated);
 
-/// The mean error of each log; `otherwise` where no part of a log has any weight.
+/// Returns the mean error of each log, or the value of `otherwise` if no part of the log has any weight.
 std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::vector<double> otherwise);
 
-/// The part of it that is free in a noise floor: zeros and gains, which are no noise. Trends take slow noise with them.
+/// Returns the per-log unknowns that are removed before a noise floor is estimated: offsets and gains, which are no
+/// noise. Trends are not removed, because they would absorb slow noise.
 fit::PerLogNuisances freeOfNoise(const fit::Hypothesis& hypothesis);
 
-/// Noise floor of each record, by what a component leaves of its force, up to a limit; without what is free in each
-/// log.
+/// Returns the noise floor of each record: the noise in the residual of a component after removal of `free`, up to a
+/// limit, or the error that noise of the displacement causes in its friction, if that is larger.
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements,
                                 const fit::PerLogNuisances& free, const gap::Forces& simulated,
                                 const std::vector<gap::PreparedRecord>& records, const measurement::NoiseLimit& limit);
 
-/// Floor of several records, each by its weight.
+/// Returns the floor of several records together: the weighted root mean square.
 double commonFloor(const std::vector<double>& floors, const std::vector<gap::PreparedRecord>& records);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

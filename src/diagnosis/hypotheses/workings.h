@@ -1,4 +1,4 @@
-// The workings of a diagnosis: the logs made ready, the models to be fitted, what the search tried, the judgement.
+// The workings of a diagnosis: the prepared logs, the models to be fitted, the search and the judgement.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,8 +32,8 @@ struct PreparedCase {
   PreparedCase& operator=(const PreparedCase&) = delete;
 
   io::ComponentDescription component;
-  std::shared_ptr<const std::vector<gap::PreparedRecord>> records;  ///< of the logs of the fit
-  const std::vector<gap::PreparedRecord>& training;                 ///< these
+  std::shared_ptr<const std::vector<gap::PreparedRecord>> records;  ///< logs of the fit
+  const std::vector<gap::PreparedRecord>& training;                 ///< *records
   std::vector<gap::PreparedRecord> held_out;
   fit::ModelParameters model;
   fit::Fitter fitter;
@@ -46,20 +46,20 @@ namespace rubber_suspension::diagnosis {
 /// The logs with the forces that the component has on them [N].
 struct Simulated {
   std::vector<gap::PreparedRecord> records;  ///< of the logs, then of the hold-outs
-  std::size_t training = 0;                  ///< how many of them took part in the fit
+  std::size_t training = 0;                  ///< number of records that took part in the fit
   gap::Forces configured;                    ///< per record
   gap::Forces re_estimated;
   gap::Forces augmented;
 };
 
-/// Data that the report draws and lists besides the result; a type that a public header declares.
+/// Data for figures and lists of the report besides the result. A public header declares this type.
 struct Workings {
   hypotheses::Search search;
   judge::Evidence evidence;
   judge::ScoreTable table;  ///< of the evidence
   judge::Answer answer;
-  bool write_evidence = false;  ///< the report is to have the evidence, too
-  Simulated simulated;          ///< nothing of a table
+  bool write_evidence = false;  ///< the report includes the evidence
+  Simulated simulated;          ///< empty for a table
 
   Workings() = default;
   Workings(hypotheses::Search found, judge::Evidence of_search, bool write)

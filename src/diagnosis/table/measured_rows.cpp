@@ -26,12 +26,12 @@ namespace {
 using Points = std::vector<fit::TablePoint>;
 
 constexpr double kAssumed = 0.01;    // of K*: what laboratories state for bushings
-constexpr double kMostRough = 0.03;  // of K*: a table that is rougher may show what no law of the list does
-constexpr int kFewestFree = 3;       // complex numbers left to estimate a level from
-constexpr int kHighestDegree = 7;    // of a polynomial: all that up to eight levels allow
+constexpr double kMostRough = 0.03;  // of K*: a rougher table may show an unlisted effect
+constexpr int kFewestFree = 3;       // complex degrees of freedom for an estimate
+constexpr int kHighestDegree = 7;    // of a polynomial: enough for eight levels
 constexpr double kMostUsed = 0.67;   // of the rows, by coefficients
 
-// Sum of squared relative errors, and the complex numbers that are free.
+// Sum of squared relative errors, and its number of complex degrees of freedom.
 struct Rest {
   double squares = 0.0;
   int free = 0;
@@ -39,19 +39,18 @@ struct Rest {
 
 double upperEnd(const Rest& rest) {
   constexpr double kLower = 0.16;
-  const double freedom = 2.0 * rest.free;  // real numbers
+  const double freedom = 2.0 * rest.free;  // real degrees of freedom
   const double quantile = boost::math::quantile(boost::math::chi_squared(freedom), kLower);
   return std::sqrt(rest.squares / rest.free * freedom / quantile);
 }
 
-// Rounded, so that what a laboratory set to the same value is the same.
+// Rounds values, so that nominally equal ones are equal.
 long long rounded(double value, double unit) { return std::llround(value / unit); }
 
 using Condition = std::tuple<long long, long long>;
 using Place = std::tuple<long long, long long, Condition>;
 
-// Mean displacements and temperatures are measured: they are the same within a tenth of the smallest amplitude and half
-// a kelvin.
+// Rounds mean displacement and temperature, which are measured, to a tenth of the smallest amplitude and half a kelvin.
 Condition conditionOf(const Points& points, const fit::TablePoint& point) {
   const auto smaller = [](const fit::TablePoint& x, const fit::TablePoint& y) { return x.amplitude < y.amplitude; };
   const double length = 0.1 * std::min_element(points.begin(), points.end(), smaller)->amplitude;
@@ -90,7 +89,7 @@ std::size_t levelsOf(const Points& points, double (*value)(const fit::TablePoint
   return levels.size();
 }
 
-// The rest of ln K* that a polynomial of these degrees leaves.
+// Residual of ln K* from a polynomial of these degrees.
 Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
   const auto rows = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd basis(rows, (in_frequency + 1) * (in_amplitude + 1));
@@ -111,7 +110,7 @@ Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
   return {left.values.squaredNorm(), static_cast<int>(rows - left.rank)};
 }
 
-// Surface with the least residual per free number, for one preload and temperature.
+// Residual of the polynomial with the least residual per degree of freedom, for one preload and temperature.
 Rest smoothRest(const Points& points) {
   const auto frequencies = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.frequency; }));
   const auto amplitudes = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.amplitude; }));
@@ -171,7 +170,7 @@ fit::Excitation MeasuredRows::excitation() const {
     try {
       const fit::MasterCurve curve = fit::masterCurve(loops_->points(), fit::middleTemperature(loops_->points()));
       excitation.activation_energy = curve.activationEnergy();
-    } catch (const std::invalid_argument&) {  // nothing tells the shifts
+    } catch (const std::invalid_argument&) {  // the rows do not determine the shifts
     }
   }
   return excitation;
@@ -186,7 +185,7 @@ std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& exci
       candidate.terms.clear();
       candidate.free_in_log = {};
     }
-    // A loop about its mean has no side: to its fundamental, damping that grows towards one is a dashpot.
+    // A loop about its mean has no side: for its fundamental, damping that grows towards one side equals a dashpot.
     candidate.terms.erase(std::remove_if(candidate.terms.begin(), candidate.terms.end(),
                                          [](const fit::BasisTerm& term) { return term.of_a_side; }),
                           candidate.terms.end());

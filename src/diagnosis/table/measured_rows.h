@@ -1,4 +1,4 @@
-// A table as a search takes it.
+// A table as a measurement for the search.
 #pragma once
 
 #include <memory>
@@ -12,21 +12,21 @@
 
 namespace rubber_suspension::diagnosis::table {
 
-/// The noise of a row, RMS of |error of K*|/|K*|, and how it is known.
+/// The noise of a row, RMS of |error of K*|/|K*|, and its source.
 struct Scatter {
   double level = 0.0;
   std::string source;
 };
 
-/// One floor, by the first of these that there is: what the laboratory states; repeated rows; of a table with
-/// temperatures what one curve leaves of it, each temperature shifted along both axes, since the rows of one
-/// temperature share its error; what a polynomial in the logarithms of frequency and amplitude leaves of ln K*; 3 % at
-/// most, since what is rough may be what no law
-/// has; 1 %, as laboratories reach. What is estimated from few rows may be too low by chance: the level is the upper
-/// end of its one-sided interval of 84 %, a standard error of the normal distribution.
+/// Returns one level for all rows, from the first available source: the stated uncertainty; repeated rows; for a table
+/// with temperatures, the residual of a master curve, shifted along both axes because the rows of one temperature share
+/// its error; the residual of ln K* from a polynomial in the logarithms of frequency and amplitude; 1 %, as
+/// laboratories reach. Residuals count at most 3 %, because a rougher table may show an unlisted effect. Estimates from
+/// few rows may be too low by chance, so that the level is the upper end of a one-sided 84 % interval: one standard
+/// error.
 Scatter scatterOf(const std::vector<fit::TablePoint>& points, std::optional<double> stated);
 
-/// Effects that the settled loops under single sines never show (Effect::in_settled_loops).
+/// Returns the effects that settled loops under single sines never show (Effect::in_settled_loops).
 std::vector<std::string> neverShownByTables();
 
 class MeasuredRows final : public hypotheses::Measured {

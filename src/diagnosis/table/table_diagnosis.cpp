@@ -41,8 +41,8 @@ namespace rubber_suspension::diagnosis::table {
 namespace {
 
 constexpr int kSteps = 7;             // of frequency and of amplitude
-constexpr double kLeastFloors = 2.0;  // by which explanations have to differ in a row
-constexpr double kBeyond = 2.0;       // times the largest and part of the smallest that was measured
+constexpr double kLeastFloors = 2.0;  // noise floors by which explanations have to differ in a row
+constexpr double kBeyond = 2.0;       // factor by which rows may lie outside the measured range
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ struct Range {
   }
 };
 
-// True where the table has a row that differs by no more than a tenth in frequency and in amplitude.
+// True if the table has a row that differs by at most a tenth in frequency and in amplitude.
 bool isMeasured(const std::vector<fit::TablePoint>& points, double frequency, double amplitude) {
   constexpr double kNear = 0.1;
   return std::any_of(points.begin(), points.end(), [&](const fit::TablePoint& point) {
@@ -63,7 +63,7 @@ bool isMeasured(const std::vector<fit::TablePoint>& points, double frequency, do
   });
 }
 
-// New rows over the range of a table, or beyond it. Stiffness and loss angle are those of no measurement.
+// New rows over the range of a table, or beyond it. Their stiffness and loss angle are placeholders.
 std::vector<fit::TablePoint> menuOf(const std::vector<fit::TablePoint>& points, double beyond) {
   Range frequency;
   Range amplitude;
@@ -87,7 +87,7 @@ std::vector<fit::TablePoint> menuOf(const std::vector<fit::TablePoint>& points, 
   return menu;
 }
 
-// A row, and by how much the rival nearest to the model judged differs there, relative.
+// A row, with the rival nearest to the judged model there and its relative difference.
 struct Difference {
   fit::TablePoint row;
   std::size_t rival = 0;
@@ -125,8 +125,8 @@ std::string recordALog() {
   return "Record a log: it also shows " + words::enumerated(names) + ", which no table does.";
 }
 
-// The row, within the range of the table or up to twice as far, in which the explanations that compete differ most; or
-// that no row tells them apart, and a log is needed.
+// Proposes the row, within the range of the table or up to twice as far, in which the competing explanations differ
+// most; or a log if no row distinguishes them.
 std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
   const hypotheses::Search& search = workings.search;
   if (workings.answer.verdict == Verdict::none) {

@@ -1,4 +1,4 @@
-// Candidate effect: unlike stiffness in tension and compression.
+// Candidate effect: different stiffness in tension and compression.
 #include <cmath>
 
 #include "diagnosis/effect.h"
@@ -13,7 +13,7 @@ void addAsymmetricStiffness(const fit::Excitation& excitation, fit::Candidate& c
   for (fit::BasisTerm& term : candidate.terms) {
     term.lower = -term.upper;
   }
-  // One side that stiffens steeply, without a knee.
+  // Laws that stiffen steeply on one side, without a knee.
   for (const double share : {0.3, -0.3, 0.15, -0.15}) {
     const double scale = share * excitation.largest_displacement;
     candidate.terms.push_back(fit::additiveTerm("asymmetric_stiffness", "exponential",

@@ -1,11 +1,11 @@
-// Candidate effect: friction or a damper that a clearance of its own leaves without force after each reversal.
+// Candidate effect: friction or a damper behind a clearance, without force for some travel after each reversal.
 #include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Friction and a damper behind one clearance; dampers that blow off or are filled with what thins, and one with an
-// orifice.
+// Laws behind one clearance: friction, a linear damper, dampers that blow off or have a fluid that thins, and one with
+// an orifice.
 std::vector<fit::BasisTerm> clearanceTerms(const fit::Excitation& excitation, double gap) {
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;

@@ -1,4 +1,4 @@
-// Candidate effect: a stop that is met beyond a gap.
+// Candidate effect: a stop that is reached beyond a gap.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -9,7 +9,7 @@ namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 void addBumpStop(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  candidate.terms_of_one = 4;  // a gap between two of these on each side; knees at many gaps are a curve without one
+  candidate.terms_of_one = 4;  // two adjacent gaps on each side, for one between them; more make a smooth curve
   for (const double side : {0.0, 1.0, -1.0}) {
     for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
       const element::ParameterValues place = {{"gap", {share * excitation.largest_displacement}}, {"side", {side}}};

@@ -12,7 +12,7 @@ void addCreep(const fit::Excitation& excitation, fit::Candidate& candidate) {
   // The law of creep, which begins within the time of relaxation, and departures from it.
   const double longest = longestRelaxationTime(excitation);
   constexpr double kBegins = 0.2;      // of the longest time of relaxation
-  constexpr double kBeyondLog = 10.0;  // longest durations: no log tells a later end
+  constexpr double kBeyondLog = 10.0;  // of the longest log: logs do not determine a later end
   constexpr double kShortest = 1.2;    // of the longest time of relaxation
   candidate.terms.push_back(
       fit::additiveTerm("creep", "stiffness_per_decade", 0.05 * excitation.stiffness,

@@ -15,7 +15,7 @@ struct Track {
   double turbulence = 0.0;   // quadratic damping over the mass [1/m]
 };
 
-// The scale is the stiffness of its chamber.
+// A track, whose scale is the stiffness of its chamber.
 fit::BasisTerm trackTerm(double typical, const Track& track) {
   fit::BasisTerm term;
   term.typical = typical;
@@ -45,9 +45,10 @@ fit::BasisTerm turbulentTerm(const fit::Excitation& excitation, double resonance
                    {resonance, kLaminar, 0.0, 2.0 * share / excitation.largest_displacement});
 }
 
-// Tracks about one frequency [Hz]: together any damping and a resonance between them, or one that the amplitude moves.
+// Tracks about one frequency [Hz]. Together they represent any damping, and resonances that lie between theirs or
+// depend on the amplitude.
 std::vector<fit::BasisTerm> tracksAt(const fit::Excitation& excitation, double frequency) {
-  constexpr double kBeside = 1.18;  // a resonance over the next
+  constexpr double kBeside = 1.18;  // ratio of adjacent resonances
   constexpr double kDecoupled = 0.25;
   constexpr double kTurbulent = 0.2;
   const double typical = typicalStiffness(excitation);

@@ -1,4 +1,4 @@
-// Candidate effect: a constant force, another one in each log.
+// Candidate effect: a constant force, which may differ between logs.
 #include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {

@@ -6,7 +6,7 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Dead zones one after the other, each taking a share of the motion within it: sharp or soft edges.
+// Dead zones in series, each of which removes a share of the motion within it: together they have sharp or soft edges.
 void addFreePlay(const fit::Excitation& excitation, fit::Candidate& candidate) {
   for (const double size : {0.01, 0.025, 0.06, 0.12, 0.22, 0.4}) {
     fit::BasisTerm term =
@@ -17,7 +17,7 @@ void addFreePlay(const fit::Excitation& excitation, fit::Candidate& candidate) {
   }
 }
 
-// The motion that dead zones lose one after the other once it is beyond all of them.
+// The motion that is lost in all dead zones together once it is beyond each of them.
 std::vector<HeadlineValue> lostMotion(const Effect::Entries& plays) {
   const double lost = std::accumulate(plays.begin(), plays.end(), 0.0, [](double sum, const auto& entry) {
     return sum + valueOr(entry, "share", 1.0) * entry.value("gap");

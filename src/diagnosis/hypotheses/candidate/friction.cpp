@@ -1,4 +1,4 @@
-// Candidate effect: friction of any smoothness, the same at any displacement or not, of any rate or reached with it.
+// Candidate effect: friction of any smoothness, whose limit may depend on displacement, travel or rate.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,8 +43,8 @@ void addFriction(const fit::Excitation& excitation, fit::Candidate& candidate) {
                                                  {"travel", {40.0 * largest}},
                                                  {"dead_band", {excitation.dead_band}}}));
   }
-  // Friction that comes to its limit with the rate: half of it at a rate well below the largest, since a force that
-  // rises all the way to the largest rate is viscous damping.
+  // Friction whose limit rises with the rate: half of it is reached at a rate well below the largest, because a force
+  // that rises up to the largest rate is viscous damping.
   for (const double rate_share : {0.06, 0.2}) {
     for (const double share : {0.006, 0.035}) {
       candidate.terms.push_back(fit::additiveTerm(
@@ -52,14 +52,14 @@ void addFriction(const fit::Excitation& excitation, fit::Candidate& candidate) {
           {{"yield_displacement", {share * largest}}, {"half_rate", {rate_share * excitation.highest_rate}}}));
     }
   }
-  // A law of two numbers that forgets nothing under the noise of a sensor, as Berg's and Bouc and Wen's do.
+  // Iwan's law of two numbers, whose memory survives the noise of a sensor, unlike that of Berg's or Bouc and Wen's.
   for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {
     candidate.laws.push_back(
         fit::additiveTerm("iwan", "maximum_force", typical * share * largest, {{"displacement", {share * largest}}}));
   }
 }
 
-// Sliders in one table, before all else.
+// Merges all sliders into one table, before all other entries.
 void mergeSliders(Effect::Entries& entries) {
   element::ElementDescription table{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
   const auto others = std::stable_partition(entries.begin(), entries.end(),
@@ -91,7 +91,7 @@ double forceAt(const element::ElementDescription& entry, double z) {
   });
 }
 
-// Force of all together that are moved from rest.
+// Force of all entries together that are moved from rest.
 double forceAt(const Effect::Entries& entries, double z) {
   return std::accumulate(entries.begin(), entries.end(), 0.0,
                          [&](double sum, const auto& entry) { return sum + forceAt(entry, z); });
@@ -111,7 +111,7 @@ std::vector<HeadlineValue> forceAndHalf(const Effect::Entries& entries, const ch
   return {{name, "N", force, true}, {"displacement", "m", high, false}};
 }
 
-// The limit, as of the element `friction`.
+// The limit of the force, like that of the element `friction`.
 std::vector<HeadlineValue> limitOf(const Effect::Entries& entries) {
   return forceAndHalf(entries, "maximum_force", forceAt(entries, std::numeric_limits<double>::infinity()));
 }

@@ -8,7 +8,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// The share of its force that a spring as stiff as the logs loses where the contact is open: all of it at 1.
+// A contact whose scale is the share of its force that a spring of the stiffness of the logs loses while the contact is
+// open; at 1 it loses all of it.
 fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side, double preload) {
   fit::BasisTerm term;
   term.at = [=, stiffness = excitation.stiffness](double share) {
@@ -27,7 +28,7 @@ fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side, doubl
   return term;
 }
 
-// Signs of a contact that opens, from the extremes of the force.
+// Indications of a contact that opens, from the extremes of the force.
 struct Opening {
   double side;     // sign of the force that it may carry
   double largest;  // magnitude of the force of the other sign [N]
@@ -45,7 +46,7 @@ Opening openingOf(const fit::Excitation& excitation) {
 // preload. A contact that transmits no force while open shows its preload as the largest force of that sign, from which
 // fits may start.
 void addLiftOff(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  constexpr double kMost = 0.7;    // share beyond which too little of the motion is left for a contact to open in
+  constexpr double kMost = 0.7;    // share above which too little of the motion remains for an open contact
   constexpr double kOfZero = 0.1;  // share of the other sign that an offset of the force may cause
   const Opening opening = openingOf(excitation);
   if (!(opening.share < kMost)) {
@@ -99,7 +100,7 @@ std::vector<std::string> carried(const Effect::Entries& augmented) {
   return {tension ? "carries tension alone" : "carries compression alone"};
 }
 
-// A contact with a stiffness or a preload while open is a compliance of one side.
+// A contact that transmits a force while open is equivalent to a compliance of one side.
 Effect liftOff() {
   Effect effect{115, "lift_off",
                 "contact that carries only one sign of force, such as a chevron, strap or spring that is not bonded: "

@@ -12,7 +12,7 @@ void addPayneEffect(const fit::Excitation& excitation, fit::Candidate& candidate
                                                  {"travel", {share * excitation.largest_displacement}},
                                                  {"dead_band", {excitation.dead_band}}}));
   };
-  // Recovery within some cycles of the fastest motion or of the slowest.
+  // Recovery within 5 or 50 cycles of the fastest motion.
   for (const double cycles : {5.0, 50.0}) {
     for (const double share : {0.2, 0.7, 2.5}) {
       for (const double band : {0.003, 0.02, 0.15}) {

@@ -6,8 +6,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Adds all of a law of the radius, which is missing if the configured law is linear, and what the radius alone adds to
-// laws that are right along each direction.
+// Adds whole laws of the radius, for a configured law that is linear, and what the radius alone adds to laws that are
+// right along each direction.
 void addRadialCoupling(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double r = excitation.largest_radius;
   if (r == 0.0) {

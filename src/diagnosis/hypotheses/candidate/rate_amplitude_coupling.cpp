@@ -6,10 +6,9 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-constexpr std::array<double, 3> kBands = {0.03, 0.15,
-                                          0.7};  // break frequencies over the highest frequency of the motion
+constexpr std::array<double, 3> kBands = {0.03, 0.15, 0.7};  // break frequencies over the highest of the motion
 
-// Flow that large forces accelerate, and flow that begins at a limit of the force.
+// Adds flow that large forces accelerate, and flow that begins at a limit of the force.
 void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   const auto add = [&](const char* law, const char* limit, double band, double share,
                        element::ParameterValues shape = {}) {
@@ -28,7 +27,7 @@ void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& ter
   }
 }
 
-// Flow beyond a limit, the faster the farther beyond: up to twice to five times the limit at the highest rate.
+// Adds flow that is faster the farther the force exceeds a limit: two to five times the limit at the highest rate.
 void addOverstress(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double share : {0.02, 0.07, 0.25}) {
     for (const double rate_share : {0.07, 0.3, 1.0}) {

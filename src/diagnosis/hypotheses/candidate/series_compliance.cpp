@@ -25,8 +25,8 @@ fit::BasisTerm complianceTerm(const fit::Excitation& excitation, double closing_
   return term;
 }
 
-// Adds one compliance for each side, and one that vanishes under load: together they represent a mount that is
-// asymmetric, hardens, or neither.
+// Adds one compliance for each side, and one that vanishes under load: together they represent a mount with or without
+// asymmetry and hardening.
 void addSeriesCompliance(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kClosing = 0.5;  // of the largest force
   const double closing_force = kClosing * excitation.stiffness * excitation.largest_displacement;
@@ -58,7 +58,7 @@ void mergeSides(Effect::Entries& entries) {
   }
 }
 
-// Stiffnesses in series do not add up.
+// Headline numbers of each compliance, because stiffnesses in series do not add up.
 std::vector<HeadlineValue> eachOf(const Effect::Entries& compliances) {
   std::vector<HeadlineValue> result;
   for (const element::ElementDescription& entry : compliances) {

@@ -12,8 +12,8 @@ fit::BasisTerm factorTerm(const element::ParameterValues& shape) {
   return term;
 }
 
-// Shapes from a softening that sets in just below the largest past displacement to one that is felt at small
-// displacement only; at once or over some cycles.
+// Softening that begins anywhere from just below the largest past displacement to small displacement, at once or over
+// some cycles.
 void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
   for (const double path : {0.0, 8.0}) {
     for (const double width : {0.05, 0.15, 0.5, 1.5}) {
@@ -27,7 +27,7 @@ void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
   }
 }
 
-// The farther the test piece was moved, the more it softens.
+// Softening that increases with the largest past displacement.
 void addByReach(double largest, std::vector<fit::BasisTerm>& terms) {
   const auto add = [&](double exponent, double width, double path) {
     terms.push_back(factorTerm(
@@ -40,7 +40,7 @@ void addByReach(double largest, std::vector<fit::BasisTerm>& terms) {
   add(2.0, 1.5, 8.0);
 }
 
-// By displacement in place of energy: what is lost deep within is not lost on the way there.
+// Softening by the ratio of displacements in place of that of energies.
 void addByDisplacement(double largest, std::vector<fit::BasisTerm>& terms) {
   for (const double path : {0.0, 8.0}) {
     for (const double exponent : {0.0, 1.0}) {

@@ -12,7 +12,7 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Decades of time between the coldest and the warmest by an activation energy of 1 J/mol.
+// Decades of time between the lowest and the highest temperature for an activation energy of 1 J/mol.
 double decadesPerEnergy(const fit::Excitation& excitation) {
   const auto inverse = [](double temperature) { return 1.0 / (temperature + element::kZeroCelsius); };
   return (inverse(excitation.lowest_temperature) - inverse(excitation.highest_temperature)) /
@@ -21,12 +21,12 @@ double decadesPerEnergy(const fit::Excitation& excitation) {
 
 // Largest energy of either sign, because the component's own shift may be too large.
 double largestEnergy(const fit::Excitation& excitation) {
-  constexpr double kMost = 5e5;          // [J/mol]; the steepest, at the glass transition
+  constexpr double kMost = 5e5;          // [J/mol]; at the glass transition
   constexpr double kMostDecades = 16.0;  // between the ends; the law holds to 20 to the slow side
   return std::min(kMost, kMostDecades / decadesPerEnergy(excitation));
 }
 
-// Rates by one activation energy, which approximates any law of temperature over some tens of kelvin.
+// Shift of rates with one activation energy, which approximates any law of temperature over some tens of kelvin.
 fit::BasisTerm rates(const fit::Excitation& excitation, double reference) {
   constexpr double kTypical = 3e4;  // [J/mol]; natural rubber at 20 degC has 7e4, far above T_g all have some 1e4
   fit::BasisTerm term =
@@ -38,8 +38,8 @@ fit::BasisTerm rates(const fit::Excitation& excitation, double reference) {
   return term;
 }
 
-// Relaxation that only the shift brings to the frequencies of the logs: unshifted, it is a spring or nothing there, to
-// a percent of the largest stiffness that it may have.
+// Relaxation that only the shift moves to the frequencies of the logs. Unshifted, it is there a spring or without
+// force, to a percent of its largest stiffness.
 void addRelaxationBeyond(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   const auto add = [&](double frequency) {
     terms.push_back(
@@ -48,7 +48,7 @@ void addRelaxationBeyond(const fit::Excitation& excitation, std::vector<fit::Bas
     terms.back().additive = false;  // it shifts
     terms.back().start = terms.back().typical;
   };
-  const double reach = 0.5 * excitation.activation_energy * decadesPerEnergy(excitation);  // from the middle
+  const double reach = 0.5 * excitation.activation_energy * decadesPerEnergy(excitation);  // to either side
   for (double decades = 2.0; decades <= std::ceil(reach); decades += 1.0) {
     add(std::pow(10.0, -decades) / excitation.longest_duration);
     add(std::pow(10.0, decades) * excitation.highest_frequency);
@@ -65,7 +65,7 @@ fit::BasisTerm stiffness(double reference, double reach) {
   return term;
 }
 
-// Stiffness that rises the faster the colder it is.
+// Stiffness that rises more steeply at lower temperatures.
 fit::BasisTerm transition(double reference, double width) {
   fit::BasisTerm term =
       fit::additiveTerm("transition_shift", "share", 0.05, {{"width", {width}}, {"reference", {reference}}});
@@ -83,7 +83,7 @@ void addTemperature(const fit::Excitation& excitation, fit::Candidate& candidate
   }
 }
 
-// Derivatives by the temperature at the reference.
+// Relative changes of stiffness and rates per kelvin at the reference temperature.
 std::vector<HeadlineValue> changesPerKelvin(const Effect::Entries& entries) {
   double stiffness = 0.0;
   double rates = 0.0;

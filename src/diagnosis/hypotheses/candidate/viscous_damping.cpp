@@ -1,4 +1,4 @@
-// Candidate effect: viscous damping, linear or not, the same at any displacement or not.
+// Candidate effect: viscous damping, which may depend nonlinearly on the rate, or on the displacement.
 #include <cmath>
 #include <numeric>
 
@@ -11,16 +11,16 @@ namespace {
 void addViscousDamping(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double typical = 0.05 * excitation.stiffness / (2.0 * element::kPi * excitation.highest_frequency);
   candidate.terms = {fit::additiveTerm("dashpot", "damping", typical, {{"order", {2.0}}})};
-  for (const double exponent : {0.5, 2.0}) {  // thins under shear; flows through an orifice
+  for (const double exponent : {0.5, 2.0}) {  // shear thinning; flow through an orifice
     candidate.terms.push_back(
         fit::additiveTerm("power_dashpot", "damping", typical,
                           {{"reference_rate", {excitation.highest_rate}}, {"exponent", {exponent}}}));
   }
-  for (const double share : {0.3, 1.0}) {  // thins to a limit
+  for (const double share : {0.3, 1.0}) {  // thinning up to a limit of the force
     candidate.terms.push_back(
         fit::additiveTerm("thinning_dashpot", "damping", typical, {{"half_rate", {share * excitation.highest_rate}}}));
   }
-  for (const double power : {1.0, 4.0}) {  // a gap that the fluid is squeezed through closes
+  for (const double power : {1.0, 4.0}) {  // fluid that is squeezed through a closing gap
     for (const double side : {1.0, -1.0}) {
       candidate.terms.push_back(fit::additiveTerm(
           "position_dashpot", "damping", typical,
@@ -42,7 +42,7 @@ double forceAtRate(const element::ElementDescription& entry, double rate) {
   return entry.type == "position_dashpot" ? linear * std::pow(0.5, entry.value("power")) : linear;
 }
 
-// A damping is that of a linear dashpot alone; of other laws the logs determine a force at a rate.
+// Only a single linear dashpot has a damping; for other laws the logs determine the force at a rate.
 std::vector<HeadlineValue> forceOrDamping(const Effect::Entries& entries, const fit::Excitation& excitation) {
   if (entries.size() == 1 && entries.front().type == "dashpot") {
     return movedOf(entries);
