@@ -29,13 +29,13 @@ enum class InSettledLoops {
   no_part_of_loop,  ///< a constant force or a trend
 };
 
-/// The declaration of an effect.
+/// The declaration of an effect, which is all that is known of it before any log.
 struct Effect {
   using Entries = std::vector<element::ElementDescription>;
 
   int place = 0;  ///< in the list and on the reference page; unique
   std::string name = {};
-  std::string documentation = {};  ///< what it is and its signature, one sentence
+  std::string documentation = {};  ///< description and signature of the effect, one sentence
   bool on_rig = false;             ///< belongs to the rig, not to the rubber
   /// Adds the terms with their bounds for logs of an excitation; none if such logs cannot show the effect.
   void (*add_terms)(const fit::Excitation& excitation, fit::Candidate& candidate) = nullptr;
@@ -61,8 +61,8 @@ struct Effect {
   std::vector<std::string> (*facts)(const Entries& augmented) = nullptr;
   /// Returns a sentence for a verdict that names this effect first, from its headline numbers.
   std::string (*remark)(const std::map<std::string, double>& numbers) = nullptr;
-  std::string beside_values =
-      {};  ///< sentence for a verdict of wrong values to which this effect alone is an alternative
+  /// Sentence for a verdict of wrong values, if this effect alone is an alternative.
+  std::string beside_values = {};
 };
 
 /// Enters an effect into the list when constructed, as a static object in the effect's own file.

@@ -176,8 +176,8 @@ bool isInPieces(const Diagnosis& d) {
   });
 }
 
-// The logs of the gap have the residual that `replay` gives as recorded, and the gap once errors of the rig are
-// removed. Without held-out logs the gap is that of blocks outside the fit, which is larger.
+// The gaps of the logs agree with those of `replay` as recorded, and with the held-out gap after removal of the errors
+// of the rig. Without held-out logs, that gap is of blocks outside the fit and therefore larger.
 bool takenOutExplainsTheGaps(const Diagnosis& d) {
   const bool held_out = !all(d.logs.admission, [](const Admission& log) { return !log.hold_out; });
   std::vector<Admission> logs;

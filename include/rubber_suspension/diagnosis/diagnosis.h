@@ -42,9 +42,9 @@ struct DiagnosisOptions {
   unsigned seed = 1;                       ///< of the random draws for intervals
   int resamplings = 400;                   ///< number of random draws for intervals
   ExperimentLimits limits;                 ///< of the proposed experiment
-  std::vector<std::string> excluded = {};  ///< effects that are ruled out besides those of the component
+  std::vector<std::string> excluded = {};  ///< effects that are ruled out in addition to those of the component
   bool evidence = false;  ///< the report includes the evidence: errors of every hypothesis on held-out data
-  std::uint64_t available_memory = 0;  ///< limit [bytes]; 0: what is available to this process
+  std::uint64_t available_memory = 0;  ///< limit [bytes]; 0: all that is available to this process
   /// Largest number of samples, over all logs and hold-outs, that the search uses; longer logs are searched in
   /// excerpts.
   std::size_t most_samples = kMostSamples;
@@ -146,7 +146,7 @@ struct Admission {
 /// Errors of one kind that were removed from a log before it was compared with a model.
 struct TakenOut {
   std::string log;
-  std::string kind;  ///< spikes, zero, drift, delay, gain, displacement_zero, initial_state
+  std::string kind;  ///< spikes, line, zero, displacement_zero, initial_state, drift, gain, friction_factor, delay
   /// Root of the mean squared residual removed, over the force's standard deviation; negative if the residual grew.
   /// The squares of a log, each with its sign, add up to recorded^2 - left^2 of its Admission.
   double share = 0.0;

@@ -29,7 +29,7 @@ void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns
   }
 }
 
-// Removes what is free in a new log: its offset, a ramp if trends are free, a multiple of the force if a gain is.
+// Removes the unknowns of a new log: its offset, a ramp if trends are free, a multiple of the force if gains are.
 Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, const fit::PerLogNuisances& free, const Eigen::VectorXd& force) {
   columns.rowwise() -= columns.colwise().mean().eval();
   const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 1.0);

@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// A motion and what it is expected to decide.
+/// A motion with its expected outcome.
 struct Discrimination {
   const Experiment* experiment = nullptr;
   double difference = 0.0;  ///< if the first explanation is right: RMS error of the nearest other after a refit [N]

@@ -26,7 +26,7 @@ struct Refitted {
 /// Expected outcome of a diagnosis with one more log.
 struct Outlook {
   double alone = 0.0;  ///< probability that the right explanation stands alone
-  double open = 0.0;   ///< entropy of the names: of each effect, whether it is at work [bit]
+  double open = 0.0;   ///< entropy of the names: for each effect, whether it is at work [bit]
 };
 
 /// Returns the judged hypothesis, then the likeliest others; the model as configured or re-estimated may be among them.

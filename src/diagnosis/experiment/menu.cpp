@@ -140,8 +140,8 @@ class Menu {
     }
   }
 
-  // Two sines of full stroke, the second at the highest frequency, the first at a quarter of it: effects of the
-  // displacement alone are the same in both.
+  // Two sines of full stroke, the second at the highest frequency for it and the first at a quarter of this: effects of
+  // the displacement alone are the same in both.
   void addTwoSines() {
     constexpr double kApart = 4.0;
     const double slow = full_ / kApart;
@@ -288,11 +288,11 @@ class Menu {
 
   const Bounds& bounds_;
   double travel_;         // to the centre [s]
-  double room_;           // the time left for a motion about the centre [s]
-  double highest_ = 0.0;  // frequencies that the motions are made of [Hz]
-  double full_ = 0.0;     // the highest sine of full stroke
-  double lowest_ = 0.0;   // the lowest of which some cycles fit in
-  double corner_ = 0.0;   // the highest triangle
+  double room_;           // time available for a motion about the centre [s]
+  double highest_ = 0.0;  // highest frequency of the motions [Hz]
+  double full_ = 0.0;     // highest frequency of a sine of full stroke [Hz]
+  double lowest_ = 0.0;   // lowest frequency of which some cycles fit in [Hz]
+  double corner_ = 0.0;   // highest frequency of a triangle [Hz]
   std::vector<Experiment> menu_;
 };
 

@@ -30,7 +30,7 @@ enum class WiderLimit { stroke, speed, duration };
 struct NextExperiment {
   Proposal proposal = Proposal::none;
   std::vector<std::string> names;  ///< of the explanations, the judged one first
-  double open = 0.0;               ///< entropy of the names: of each effect, whether it is at work [bit]
+  double open = 0.0;               ///< entropy of the names: for each effect, whether it is at work [bit]
   std::string motion;              ///< best motion within the limits
   double open_after = 0.0;         ///< expected entropy after it [bit]
   std::string nearest;             ///< explanation nearest to the judged one in this motion; empty: none

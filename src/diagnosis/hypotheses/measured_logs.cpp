@@ -82,10 +82,10 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
   return std::sqrt(sum / static_cast<double>(smooth.size()));
 }
 
-// Noise of each log: the larger one of the noise in the residual of the best model outside the band of the excitation,
-// and of the force that the noise of the displacement causes, which is at most the least gap of any model in this log.
-// The residual also contains errors of the model, so that the least value of all models so far counts. The floor of all
-// logs is at most the least gap of any model.
+// Noise of each log: the larger of two values. One is the noise in the residual outside the band of the excitation, the
+// least of all models so far, because residuals also contain errors of the model. The other is the force that noise of
+// the displacement causes, at most the least gap of any model in this log. The floor of all logs is at most the least
+// gap of any model.
 Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& search) const {
   const std::vector<gap::PreparedRecord>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);

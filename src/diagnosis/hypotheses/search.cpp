@@ -173,7 +173,7 @@ class Searcher {
 
   void estimateNoise() { result_.noise = measured_.estimateNoise(*bestOfAll(), result_); }
 
-  // Finds the visible candidates, and the gap of a flexible fit.
+  // Finds visibility and implants of the candidates, and the gap of a flexible fit.
   void measureVisibility(const Screening& screening) {
     result_.visibility = screening.visibility(result_.noise.floor);
     result_.implants = implantAll(fitter_, screening, threads_);
@@ -398,13 +398,13 @@ class Searcher {
     return best;
   }
 
-  // True if a set of so many effects can come near the best of fewer.
+  // True if a set of so many effects may be nearly as likely as the best of fewer.
   bool isWorthMore(std::size_t effects, double floor) const {
     return oddsAt(result_, floor).mostOf(effects) > bestOdds(floor) - kWorthAFit;
   }
 
-  // The likeliest hypotheses of one size, to which further effects are added. One more than those within reach is
-  // taken, because an effect that is unlikely alone may be one of a pair.
+  // The likeliest hypotheses of one size, to which further effects are added: those within reach and one more, because
+  // an effect that is unlikely alone may be one of a pair.
   std::vector<const FittedHypothesis*> likeliest(std::size_t effects, double floor) const {
     std::vector<const FittedHypothesis*> chosen;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -487,7 +487,7 @@ class Searcher {
     return fitted > 0;
   }
 
-  // Fits likely sets again, with a law replaced by one that it contains: these are easily overlooked, because the
+  // Fits likely sets in which a law is replaced by those that it contains: these are easily overlooked, because the
   // larger law has the smaller error.
   void fitContained(const Screening& about_model, std::size_t effects, double floor,
                     std::vector<FittedHypothesis>& list) {
@@ -529,8 +529,7 @@ class Searcher {
     });
   }
 
-  // The best fit of a part of a set: of a member, of a pair within a triple, or with a law that one of its laws
-  // contains.
+  // The best fit of a part of a set: a member, a pair within a triple, or a set with contained laws.
   const FittedHypothesis& bestFitted(const std::vector<int>& members) const {
     const FittedHypothesis* best = &result_.singles[static_cast<std::size_t>(members.front())];
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -572,7 +571,7 @@ class Searcher {
 
   bool competes(const FittedHypothesis& fitted) const { return result_.competes(fitted.hypothesis, excluded_); }
 
-  // The candidates that sets are made of.
+  // Candidates of which sets are composed.
   std::vector<int> competing() const {
     std::vector<int> competing;
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {

@@ -63,7 +63,7 @@ void fitFrom(const fit::HypothesisFitter& fitter, const fit::Hypothesis& hypothe
   keepBetter(std::move(fitted), best);
 }
 
-// The place of a term of one hypothesis among those of another one, which may lack it.
+// Index of a term of one hypothesis among those of another one, if it has the term.
 std::optional<Eigen::Index> placeIn(const fit::Hypothesis& other, const fit::TermPlace& term) {
   const auto found = std::find(other.places.begin(), other.places.end(), term);
   return found == other.places.end() ? std::nullopt : std::optional(found - other.places.begin());

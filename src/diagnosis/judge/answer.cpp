@@ -9,7 +9,7 @@ namespace rubber_suspension::diagnosis::judge {
 namespace {
 
 constexpr double kMajority = 0.5;       // of the probability of all sets; with less, the likeliest set is confounded
-constexpr double kWorthListing = 0.02;  // a set that holds a less probable effect is not listed
+constexpr double kWorthListing = 0.02;  // sets with a less probable effect are not listed
 
 std::vector<int> largestFirst(const SetProbability& set) {
   std::vector<std::size_t> order(set.members.size());

@@ -33,7 +33,7 @@ struct JudgeNumbers {
   double share_spread = 0.7;
   std::map<std::string, double> rates = {};  ///< logarithm of the rate of each effect over the usual rate
 
-  /// Returns an element of `rates`; 0 for effects that are not among them.
+  /// Returns the element of `rates` for an effect; 0 if it has none.
   double rateOf(const std::string& name) const;
 };
 

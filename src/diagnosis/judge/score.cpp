@@ -276,7 +276,6 @@ double priorOfCount(std::size_t mechanisms, const JudgeNumbers& numbers) {
   return prior;
 }
 
-// Log prior of sizes: effects, and errors of values, are seldom smaller than usual.
 double priorOfSizes(const std::vector<double>& sizes, double usual, double spread) {
   double prior = 0.0;
   for (const double size : sizes) {

@@ -22,8 +22,7 @@ struct Scatter {
 /// with temperatures, the residual of a master curve, shifted along both axes because the rows of one temperature share
 /// its error; the residual of ln K* from a polynomial in the logarithms of frequency and amplitude; 1 %, as
 /// laboratories reach. Residuals count at most 3 %, because a rougher table may show an unlisted effect. Estimates from
-/// few rows may be too low by chance, so that the level is the upper end of a one-sided 84 % interval: one standard
-/// error.
+/// few rows may be too low by chance, so that the level is the upper end of a one-sided 84 % interval.
 Scatter scatterOf(const std::vector<fit::TablePoint>& points, std::optional<double> stated);
 
 /// Returns the effects that settled loops under single sines never show (Effect::in_settled_loops).

@@ -90,8 +90,8 @@ void addFluidInertia(const fit::Excitation& excitation, fit::Candidate& candidat
   candidate.laws = turbulentLaws(excitation, candidate.least_shape, candidate.largest_shape);
 }
 
-// A resonance of the fixture has the transfer function of a column of fluid: only the component file tells one from the
-// other.
+// A resonance of the fixture has the transfer function of a column of fluid; only the component file distinguishes
+// them.
 std::string fluidOrFixture(const io::ComponentDescription& configured) {
   return configured.holds_fluid ? "" : "a fluid track, or a mass on a spring such as the fixture";
 }

@@ -116,8 +116,8 @@ std::vector<HeadlineValue> limitOf(const Effect::Entries& entries) {
   return forceAndHalf(entries, "maximum_force", forceAt(entries, std::numeric_limits<double>::infinity()));
 }
 
-// Half of the width of the largest loop at zero displacement, by Masing's rule 2 F(A/2) - F(A): the limit where that is
-// reached. Logs determine neither a limit that they do not reach nor a force that is in phase with the stiffness.
+// Half of the width of the largest loop at zero displacement, by Masing's rule 2 F(A/2) - F(A); the limit if the loop
+// reaches it. Logs determine neither a limit that they do not reach nor a force that is in phase with the stiffness.
 std::vector<HeadlineValue> halfWidthOfLoop(const Effect::Entries& entries, const fit::Excitation& excitation) {
   const double largest = excitation.largest_displacement;
   return forceAndHalf(entries, "force_in_largest_loop",

@@ -22,7 +22,7 @@ double decadesPerEnergy(const fit::Excitation& excitation) {
 // Largest energy of either sign, because the component's own shift may be too large.
 double largestEnergy(const fit::Excitation& excitation) {
   constexpr double kMost = 5e5;          // [J/mol]; at the glass transition
-  constexpr double kMostDecades = 16.0;  // between the ends; the law holds to 20 to the slow side
+  constexpr double kMostDecades = 16.0;  // over the range; the law is valid to 20 decades to the slow side
   return std::min(kMost, kMostDecades / decadesPerEnergy(excitation));
 }
 
