@@ -1,4 +1,4 @@
-// Memory that this process may still take.
+// Memory that is available to this process.
 #include "io/available_memory.h"
 
 #include <sys/resource.h>
@@ -14,8 +14,8 @@ namespace {
 
 std::uint64_t lessOrNothing(std::uint64_t whole, std::uint64_t part) { return whole - std::min(whole, part); }
 
-// The number behind a word of a file, or the first one where the word is empty. Returns nullopt without a number, as
-// for the limit "max".
+// Returns the number after a word in a file, or the first number if the word is empty; nullopt if there is none, as for
+// the limit "max".
 std::optional<std::uint64_t> numberIn(const std::string& path, const std::string& word = "") {
   std::ifstream file(path);
   std::string read;
@@ -25,11 +25,11 @@ std::optional<std::uint64_t> numberIn(const std::string& path, const std::string
   return file >> value ? std::optional<std::uint64_t>(value) : std::nullopt;
 }
 
-// Where a control group says what it may take and what it has taken.
+// Files of a control group that contain its limit and its usage.
 struct GroupFiles {
   const char* limit;
   const char* usage;
-  const char* reclaimable;  // of memory.stat
+  const char* reclaimable;  // key in memory.stat
 };
 
 constexpr GroupFiles kVersion1 = {"/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_inactive_file"};
@@ -42,8 +42,8 @@ std::uint64_t leftOfGroup(const std::string& folder, const GroupFiles& files) {
   return limit && usage ? lessOrNothing(*limit, lessOrNothing(*usage, reclaimable)) : kUnlimitedMemory;
 }
 
-// Memory left by a group and all above it. In a container the path may be that of the host, which does not exist; then
-// its own group is the top.
+// Returns the memory left in a group and in all its ancestors. In a container the path may be that of the host, which
+// does not exist there; then only the root of the mount counts.
 std::uint64_t leftOfGroups(const std::string& mount, std::string path, const GroupFiles& files) {
   std::uint64_t left = leftOfGroup(mount, files);
   for (; path.size() > 1; path.erase(path.rfind('/'))) {
@@ -52,7 +52,7 @@ std::uint64_t leftOfGroups(const std::string& mount, std::string path, const Gro
   return left;
 }
 
-// Lines "NUMBER:CONTROLLERS:PATH"; without controllers that of version 2.
+// The file has lines "NUMBER:CONTROLLERS:PATH"; CONTROLLERS is empty for version 2.
 std::uint64_t leftOfControlGroups(const std::string& root) {
   std::ifstream file(root + "/proc/self/cgroup");
   std::uint64_t left = kUnlimitedMemory;

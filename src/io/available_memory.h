@@ -1,4 +1,4 @@
-// Memory that this process may still take: of the machine, of its control groups, of its own limit.
+// Memory that is available to this process, by the machine, its control groups and its own limit.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,9 @@ namespace rubber_suspension::io {
 
 constexpr std::uint64_t kUnlimitedMemory = std::numeric_limits<std::uint64_t>::max();
 
-/// The least of what is left [bytes]: of the machine's memory without swapping (MemAvailable), of each control group
-/// that the process is in (version 1 or 2; files that the kernel holds only for speed are left out of what is taken),
-/// and of the limit of its addresses (RLIMIT_AS). kUnlimitedMemory where the system tells nothing. `root` stands before
-/// /proc and /sys. Throws nothing.
+/// Returns the least [bytes] of the machine's memory that is available without swapping (MemAvailable), of what each
+/// control group of the process has left (version 1 or 2; inactive file cache counts as free), and of the address space
+/// left (RLIMIT_AS); kUnlimitedMemory if none is known. `root` is a prefix of /proc and /sys. Throws nothing.
 std::uint64_t availableMemory(const std::string& root = "");
 
 }  // namespace rubber_suspension::io

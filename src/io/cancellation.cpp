@@ -1,4 +1,4 @@
-// Long work that may be told to end early.
+// Cancellation of long work.
 #include "io/cancellation.h"
 
 #include <utility>

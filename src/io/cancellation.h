@@ -1,4 +1,4 @@
-// Long work that may be told to end early, by whoever began it in the same thread.
+// Cancellation of long work by the caller, in the same thread.
 #pragma once
 
 #include <functional>
@@ -6,13 +6,13 @@
 
 namespace rubber_suspension::io {
 
-/// Work that was told to end.
+/// The work was cancelled.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled, because the process ends") {}
 };
 
-/// While it exists, checkCancelled() of this thread asks `stop`. One within another takes its place.
+/// While an object exists, checkCancelled() in the same thread calls its `stop`. A nested object hides the outer one.
 class Cancellable {
  public:
   explicit Cancellable(std::function<bool()> stop);
@@ -27,8 +27,8 @@ class Cancellable {
   const Cancellable* const outer_;
 };
 
-/// To be called now and then by long work: throws Cancelled where it is to end. Costs next to nothing where nobody
-/// asks.
+/// Throws Cancelled if the innermost Cancellable of this thread returns true. Long work calls this regularly; without a
+/// Cancellable it costs next to nothing.
 void checkCancelled();
 
 }  // namespace rubber_suspension::io

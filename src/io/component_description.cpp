@@ -1,4 +1,4 @@
-// Components as a file describes them, without the file.
+// Descriptions of components, independent of a file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace rubber_suspension::io {
 namespace {
 
-// A preload as a force or as a displacement, whichever a table asks for; by the static curve, where the other is given.
+// Returns a preload as a force or as a displacement; converts one to the other by the static curve if necessary.
 double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
   const std::optional<component::Preload>& preload = six.preload[direction];
   if (!preload || !six.directions[direction]) {

@@ -1,4 +1,4 @@
-// The component file as components: one direction, or six with what couples them.
+// Reader of component files: components of one direction, and of six coupled directions.
 #include "rubber_suspension/io/component_file.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace {
 
 using element::namesOf;
 
-// The direction that a key of a map names, which was checked.
+// Returns the direction that a key names; the key has been checked.
 component::Direction directionOf(const YAML::Node& key) { return *component::directionFromString(key.Scalar()); }
 
 std::vector<std::string> directionNames() {
@@ -36,7 +36,7 @@ Eigen::Isometry3d frameOf(const component::SixNumbers& numbers, component::Rotat
   return frame;
 }
 
-// One file while it is read.
+// Reads one file.
 class Loader : public SpecificationReader {
  public:
   explicit Loader(std::string source) : SpecificationReader(std::move(source), "a component file", "components") {}
@@ -62,13 +62,13 @@ class Loader : public SpecificationReader {
   }
 
  private:
-  // A method of this class as a key's.
+  // Binds a method of this class as the reader of a key.
   template <class Method>
   auto by(Method method) {
     return [this, method](const Entry& entry, auto&... target) { return std::invoke(method, this, entry, target...); };
   }
 
-  // One of some words, as its place.
+  // Returns a reader of one of some words, whose index is the value of an enumeration.
   template <class Choice>
   auto oneOf(const std::vector<std::string>& words) {
     return [this, &words](const Entry& entry) { return static_cast<Choice>(loadWord(entry, words)); };
@@ -119,7 +119,7 @@ class Loader : public SpecificationReader {
     return description;
   }
 
-  // Each key after those that it needs.
+  // Reads the keys in the order of the table, where each key comes after those on which it depends.
   ComponentDescription loadSixDirections(const YAML::Node& key, const Entry& entry) {
     using Six = SixDirectionsDescription;
     const std::vector<Key<Six>> keys = {{"coupling", by(&Loader::loadCoupling)},
@@ -152,7 +152,7 @@ class Loader : public SpecificationReader {
     return description;
   }
 
-  // Keys common to all directions, beside those of each.
+  // Applies keys common to all directions; a direction's own temperature takes precedence.
   void loadOfAll(const Entry& entry, SixDirectionsDescription& six) {
     const Entry temperature = entry["temperature"];
     const Entry effects = entry["excluded_effects"];
@@ -195,7 +195,7 @@ class Loader : public SpecificationReader {
     ComponentDescription description = loadOneDirection(key, content);
     description.name = component_ + "_" + key.Scalar();
     if (rotational_) {
-      description.units.clear();  // whoever takes it for a component of one direction shows SI units
+      description.units.clear();  // shown in SI units if treated as a component of one direction
     }
     place_.clear();
     rotational_ = false;
@@ -212,7 +212,7 @@ class Loader : public SpecificationReader {
     six.arrangement.on_b = frameOf(six.frame_on_b, six.arrangement.measure);
   }
 
-  // One word for translations and rotations alike, or a map.
+  // Accepts one word for both translations and rotations, or a map.
   void loadCoupling(const Entry& entry, SixDirectionsDescription& six) {
     using Laws = component::SixDirectionsLaws;
     const std::vector<Key<Laws>> keys = {
@@ -265,7 +265,7 @@ class Loader : public SpecificationReader {
     }
   }
 
-  // A force or a displacement, as its unit tells.
+  // The unit decides whether the preload is a force or a displacement.
   component::Preload loadPreload(const Entry& entry, component::Direction direction) {
     const bool turns = component::isRotation(direction);
     const std::string unit = entry.isText() ? log::unitOfQuantity(entry.text()) : "";
@@ -273,7 +273,7 @@ class Loader : public SpecificationReader {
     try {
       log::UnitConversion(unit, turns ? "rad" : "m");
       preload.is_force = false;
-    } catch (const std::invalid_argument&) {  // then it has to be a force
+    } catch (const std::invalid_argument&) {  // then it must be a force
       preload.is_force = true;
     }
     if (unit.empty()) {
@@ -347,7 +347,7 @@ class Loader : public SpecificationReader {
     return description;
   }
 
-  // One number for both sides, or the two ends.
+  // Accepts one number for a symmetric range, or both ends.
   element::Range loadValidDisplacement(const Entry& entry) {
     if (!entry.node.IsSequence()) {
       const double reach = loadNumber(entry, anyNumber("m", element::Range::positive()));

@@ -1,4 +1,4 @@
-// Names and words of component files, for reader and writer alike.
+// Names and words of component files, shared by reader and writer.
 #pragma once
 
 #include <string>
@@ -8,22 +8,22 @@ namespace rubber_suspension::io {
 
 constexpr std::size_t kMaximumNameLength = 100;
 
-/// Name of a law in the key `temperature`.
+/// A law of the temperature dependence, by its name in the key `temperature`.
 struct ShiftLaw {
   std::string name;
-  std::string type;  ///< of the element
+  std::string type;  ///< element type of the law
 };
 
 const std::vector<ShiftLaw>& shiftLaws();
 
-// In the order of the enumerations that they stand for.
+// In the order of component::Coupling, component::RotationMeasure and the axes.
 const std::vector<std::string> kCouplings = {"rectangular", "cylindrical", "spherical"};
 const std::vector<std::string> kMeasures = {"vector", "cardan"};
 const std::vector<std::string> kAxes = {"x", "y", "z"};
 
-constexpr const char* kGuess = "guess";  // of a tolerance
+constexpr const char* kGuess = "guess";  // value of the key `tolerance`
 
-/// A letter, then letters, digits and underscores.
+/// Returns true for a letter followed by letters, digits and underscores, of at most kMaximumNameLength characters.
 bool isBaseName(const std::string& name);
 
 }  // namespace rubber_suspension::io

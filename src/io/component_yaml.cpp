@@ -1,4 +1,4 @@
-// The writer of component files.
+// Writer of component files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace rubber_suspension::io {
 namespace {
 
-// The shortest text that reads back as the same number.
+// Returns the shortest text that reads back as the same number.
 std::string number(double value) { return fmt::format("{}", value); }
 
 std::string listYaml(const std::vector<double>& values) {
@@ -93,7 +93,7 @@ std::string toleranceYaml(const estimation::SheetTolerance& tolerance) {
                      tolerance.of_all ? shareYaml(*tolerance.of_all) : fmt::format("{{{}}}", log::join(by_key)));
 }
 
-// `added`: then it has to say that it describes the base. `turns`: it is that of a rotation.
+// `added`: elements are added, so the text must state that it describes the base. `turns`: the direction is a rotation.
 std::string specificationYaml(const estimation::Specification& specification, bool added, bool turns,
                               const YamlStyle& style) {
   std::string text = "    specification:\n";
@@ -128,7 +128,7 @@ std::string specificationYaml(const estimation::Specification& specification, bo
   return text;
 }
 
-// Model and what belongs to it, of a component of one direction; `turns`: a rotation.
+// Writes a component of one direction without its name; `turns`: the direction is a rotation.
 std::string oneDirectionYaml(const ComponentDescription& component, bool turns, const YamlStyle& style) {
   std::string text = fmt::format("    model: {}\n", estimation::toString(component.model()));
   text += component.tolerance.of_all ? fmt::format("    tolerance: {}\n", shareYaml(*component.tolerance.of_all)) : "";
@@ -171,7 +171,7 @@ std::string tableYaml(const component::PreloadTable& table) {
                      toString(table.by), log::join(loads), listYaml(table.factor));
 }
 
-// The style of all for one direction.
+// Returns the style for one direction, which adds the prefix of the direction to the places.
 YamlStyle styleOf(component::Direction direction, const YamlStyle& style) {
   const std::string prefix = fmt::format("directions.{}.", toString(direction));
   YamlStyle own;

@@ -1,4 +1,4 @@
-// Names of the effects that a diagnosis knows, which a component file may rule out.
+// Names of the effects that a diagnosis may name and a component file may rule out.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace rubber_suspension::io {
 
-/// In the order of the alphabet. The diagnosis, which files know nothing of, has a candidate for each (a test
-/// compares).
+/// Returns the names in alphabetical order. They repeat the candidates of the diagnosis, on which this layer does not
+/// depend; a test compares both lists.
 const std::vector<std::string>& effectNames();
 
 }  // namespace rubber_suspension::io

@@ -1,4 +1,4 @@
-// Numbers, elements and laws of temperature of a component file, driven by the table of laws.
+// Reader of numbers, elements and temperature laws, driven by the table of laws.
 #include "io/element_reader.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using element::namesOf;
 
 constexpr const char* kVertical = "vertical";
 
-// The limits of a parameter in the unit that the user wrote, which has the dimension of the parameter.
+// Describes the range of a parameter in the unit that the user wrote, which has the dimension of the parameter.
 std::string acceptedIn(const std::string& unit, const element::ParameterInfo& parameter) {
   if (unit.empty()) {
     return accepted(parameter);
@@ -83,12 +83,12 @@ double ElementReader::loadNumber(const Entry& entry, const element::ParameterInf
   if (!unit.empty() && parameter.unit != "1" && parameter.unit != "K" && parameter.unit != "degC") {
     units_.emplace(parameter.unit, unit);
   }
-  // "50 degC" is a temperature, and so is 323 K; a parameter in K is a difference of two temperatures.
+  // A parameter in K is a temperature difference, so units with an offset from K, such as degC, are refused.
   if (!unit.empty() && parameter.unit == "K" && log::UnitConversion(unit, parameter.unit)(0.0) != 0.0) {
     refuse(entry,
            fmt::format("{} is a temperature, not a temperature difference; accepted: {}", text, accepted(parameter)));
   }
-  constexpr double kLongestTime = 1e12;  // [s], 30,000 years: steps through more never end
+  constexpr double kLongestTime = 1e12;  // [s], 30,000 years: steps over a longer time would never end
   const double most = parameter.unit == "s" ? kLongestTime : element::kLargestNumber;
   if (std::isfinite(value) && std::abs(value) > most) {
     refuse(entry, fmt::format("{} is larger than any component can have; accepted: at most {:g} {}", text, most,

@@ -1,4 +1,4 @@
-// Reading of numbers with units, elements and laws of temperature.
+// Reader of numbers with units, elements and temperature laws.
 #pragma once
 
 #include "io/component_words.h"
@@ -6,44 +6,44 @@
 
 namespace rubber_suspension::io {
 
-/// In the order of estimation::Model.
+/// Returns the names of the models in the order of estimation::Model.
 std::vector<std::string> modelNames();
 
-/// Accepted values of a parameter: "a number > 0, in N/m, or text with such a unit".
+/// Describes the accepted values of a parameter: "a number > 0, in N/m, or text with such a unit".
 std::string accepted(const element::ParameterInfo& parameter);
 
-/// A number of this unit, or a list of such, without a row in a table.
+/// Returns a parameter for a number, or a list of numbers, in this unit, for values that have no row in a table.
 element::ParameterInfo anyNumber(const std::string& unit, element::Range range = element::Range::any());
 
-/// YamlReader that knows the table of elements.
+/// Reads elements by the table of elements.
 class ElementReader : public YamlReader {
  protected:
   using YamlReader::YamlReader;
 
-  /// A row of a table as the direction that is being read has it.
+  /// Returns a row of a table with the unit that it has in the direction being read.
   element::ParameterInfo here(element::ParameterInfo parameter) const;
 
   double loadNumber(const Entry& entry, const element::ParameterInfo& row);
   std::vector<double> loadNumbers(const Entry& entry, const element::ParameterInfo& parameter);
 
-  /// A share, or `guess`; `also`: what else is accepted.
+  /// Reads a share or `guess`; errors list `also` among the accepted values.
   double loadTolerance(const Entry& entry, const std::string& also = "");
 
   using Tolerances = std::map<std::string, double, std::less<>>;
 
-  /// They may scale along the curve of a specification, where there is one. `tolerances`: of their values, by entries
-  /// such as "spring[0]"; nullptr where entries have none.
+  /// Reads a list of elements, which may scale along the static curve of `specification`, if given. `tolerances`
+  /// receives those of entries such as "spring[0]"; nullptr: entries must not have any.
   std::vector<element::ElementDescription> loadElements(const Entry& list,
                                                         const estimation::Specification* specification = nullptr,
                                                         Tolerances* tolerances = nullptr);
 
   element::ElementDescription loadTemperature(const Entry& entry);
 
-  /// True if the entry scales with the static curve.
+  /// Returns true if the entry scales with the static curve.
   bool loadScale(const Entry& entry) const { return loadWord(entry, {"static_curve", "none"}) == 0; }
 
-  std::map<std::string, std::string> units_;  ///< of the component's numbers, by the SI unit
-  bool rotational_ = false;                   ///< of the direction being read
+  std::map<std::string, std::string> units_;  ///< units of the component's numbers, by SI unit
+  bool rotational_ = false;                   ///< true if the direction being read is a rotation
 
  private:
   const element::ElementType& loadType(const Entry& entry);

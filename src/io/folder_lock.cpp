@@ -1,4 +1,4 @@
-// A folder that one run at a time writes into.
+// Lock of a folder, into which only one run at a time may write.
 #include "io/folder_lock.h"
 
 #include <fcntl.h>
@@ -28,7 +28,7 @@ FolderLock::FolderLock(std::filesystem::path folder) : folder_(std::move(folder)
 FolderLock::~FolderLock() {
   if (made_) {
     std::error_code ignored;
-    std::filesystem::remove(folder_, ignored);  // none but an empty one
+    std::filesystem::remove(folder_, ignored);  // fails unless the folder is empty
   }
   if (descriptor_ >= 0) {
     close(descriptor_);

@@ -1,4 +1,4 @@
-// A folder that one run at a time writes into.
+// Lock of a folder, into which only one run at a time may write.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::io {
 
-/// Holds a folder for this process, by an advisory lock on the folder itself (flock), which ends with the process
-/// however that ends. The folder is made where it is missing, and removed again where nothing has come into it, by
-/// whatever signal the process is ended.
+/// Locks a folder for this process by an advisory lock (flock), which the system releases when the process ends.
+/// Creates the folder if it is missing; then the destructor, or SIGINT, SIGTERM or SIGHUP, removes it again if it is
+/// empty.
 class FolderLock {
  public:
-  /// Throws OutputRefused where another process, or another lock of this one, holds the folder; std::runtime_error
-  /// where it cannot be made. On a file system that knows no locks nothing is held.
+  /// Throws OutputRefused if another process, or another object in this process, holds the lock; std::runtime_error if
+  /// the folder cannot be created. On a file system without locks nothing is locked.
   explicit FolderLock(std::filesystem::path folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

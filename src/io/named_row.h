@@ -1,4 +1,4 @@
-// The row of a table that a user named.
+// Look-up of a row of a table by the name that a user gave.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,8 +13,8 @@
 
 namespace rubber_suspension::io {
 
-/// The row with this `name`. Throws std::invalid_argument that says what it is not ("no tolerance of a rig"), what was
-/// probably meant, and what is accepted.
+/// Returns the row whose `name` is `key`. Throws std::invalid_argument with the key, `otherwise` ("not a tolerance of a
+/// rig"), the most similar name and the accepted names.
 template <class Row>
 const Row& namedRow(const std::vector<Row>& table, const std::string& key, const std::string& otherwise) {
   const auto found = std::find_if(table.begin(), table.end(), [&](const Row& row) { return row.name == key; });

@@ -1,4 +1,4 @@
-// The files that a command may write over: the one rule for every file that a command or a launch file writes.
+// Rules for all files that a command or a launch file writes: which existing files may be replaced.
 #include "io/output_files.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using element::refuseIf;
 
-// Existing files are one whatever their names; those to come by their names, of which a file system may not tell the
-// case.
+// Compares existing files by identity, and others by name, without case, because a file system may not distinguish
+// upper from lower case.
 bool areOneFile(const std::string& one, const std::string& other) {
   std::error_code ignored;
   return fs::exists(one, ignored) || fs::exists(other, ignored)
@@ -55,7 +55,7 @@ void refuseOtherKind(const OutputFile& output) {
                           output.option, output.path, output.kind.name);
 }
 
-// Records stand there, or are being written beside their names.
+// Returns true if the folder contains one of the records, or a temporary file to which one is being written.
 bool holdsRecord(const fs::path& folder, const std::vector<std::string>& records) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -69,7 +69,7 @@ bool holdsRecord(const fs::path& folder, const std::vector<std::string>& records
   return false;
 }
 
-// "run_1" is "run_" and 1, "bush" is "bush_" and 1.
+// Splits "run_1" into "run_" and 1; "bush" yields "bush_" and 1.
 std::pair<std::string, unsigned long> numberedName(const std::string& folder) {
   constexpr std::size_t kMostDigits = 9;
   const std::size_t bar = folder.find_last_of('_');
@@ -79,7 +79,7 @@ std::pair<std::string, unsigned long> numberedName(const std::string& folder) {
   return numbered ? std::pair(folder.substr(0, bar + 1), std::stoul(digits)) : std::pair(folder + "_", 1UL);
 }
 
-// Compares only regular files: a pipe can be read once.
+// Compares only regular files, because a pipe can be read only once.
 bool isCopy(const std::string& one, const std::string& other) {
   std::error_code error;
   if (!fs::is_regular_file(one, error) || !fs::is_regular_file(other, error) ||
@@ -93,7 +93,7 @@ bool isCopy(const std::string& one, const std::string& other) {
                     std::istreambuf_iterator<char>(second));
 }
 
-// True where one of these texts fulfils a condition, or there is none.
+// Returns true if one of the texts fulfils the condition, or if there are no texts.
 template <std::size_t most, class Condition>
 bool fulfilled(const std::array<std::string_view, most>& texts, const Condition& condition) {
   return texts[0].empty() || std::any_of(texts.begin(), texts.end(),
@@ -157,7 +157,7 @@ std::string makeRunFolder(const std::string& folder, const std::vector<std::stri
   for (unsigned long next = number + 1;; ++next) {
     std::string path = name + std::to_string(next);
     std::error_code error;
-    if (fs::create_directory(path, error) || (!error && !holdsRecord(path, records))) {  // one run alone makes it
+    if (fs::create_directory(path, error) || (!error && !holdsRecord(path, records))) {  // one run alone creates it
       return path;
     }
     refuseIf<std::runtime_error>(error && error != std::errc::file_exists, "{}: cannot be created: {}", path,

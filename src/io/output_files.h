@@ -1,4 +1,4 @@
-// The files that a command may write over: the one rule for every file that a command or a launch file writes.
+// Rules for all files that a command or a launch file writes: which existing files may be replaced.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace rubber_suspension::io {
 
-/// A kind of file, known by its first bytes.
+/// A kind of file, recognised by its first 64 KiB.
 struct FileKind {
   std::string_view name;                              ///< with its article, for errors
-  std::array<std::string_view, 4> beginnings = {{}};  ///< with one of which it begins; none: it may begin anyhow
-  std::array<std::string_view, 3> parts = {{}};       ///< one of which is in its first 64 KiB; none: they hold anything
+  std::array<std::string_view, 4> beginnings = {{}};  ///< the file begins with one of these; none: any beginning
+  std::array<std::string_view, 3> parts = {{}};       ///< its first 64 KiB contain one of these; none: any content
 };
 
-/// Kinds of files that this package writes. The schema is part of a kind of JSON.
+/// Kinds of files that this package writes. Kinds of JSON are recognised by their schema.
 namespace file_kind {
 
 inline constexpr FileKind force_csv = {"a log as this command writes it (time_s,displacement_m,force_N)",
@@ -64,40 +64,40 @@ struct InputFile {
   std::string path;
 };
 
-/// A file that a command writes. For a file in a folder that the command makes, the option names the folder.
+/// A file that a command writes. For a file in a folder that the command creates, the option names the folder.
 struct OutputFile {
   std::string option;
   std::string path;
   FileKind kind;
 };
 
-/// An output that would destroy something: wrong usage. what() is one line.
+/// An output would overwrite a file that must not be replaced, or cannot be written. what() is one line.
 class OutputRefused : public std::runtime_error {
  public:
   explicit OutputRefused(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
 };
 
-/// To be called before anything is read. Throws OutputRefused for an output that is one of the inputs, by whatever
-/// name, hard or symbolic link; for two outputs that are one file, or would be where a file system does not tell upper
-/// from lower case; for one that is a folder, or lies in what is no folder; and, unless `force`, for an existing file
-/// of another kind than that written. An existing file of the same kind, or an empty one, will be replaced. Devices and
-/// pipes may be written always. Entries with an empty path are options not given.
+/// Throws OutputRefused for an output that is also an input, by any name or link; for two outputs that are one file, or
+/// would be on a file system that ignores case; for an output that is a folder, or whose parent is not one; and, unless
+/// `force` is set, for an existing file of another kind. An existing file of the same kind, or an empty file, may be
+/// replaced; devices and pipes are always accepted. An empty path means that the option was not given. Call this before
+/// any input is read.
 void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs, bool force);
 
-/// To be called before anything is read, with all logs of a command: throws OutputRefused where two are one file, by
-/// whatever name or link, or copies of each other to the last byte: evidence does not count twice, and a log that was
-/// fitted says nothing held out.
+/// Throws OutputRefused if two logs of a command are the same file, by any name or link, or identical copies: the same
+/// evidence must not count twice, and a log that was fitted cannot serve as a held-out log. Call this before any input
+/// is read.
 void refuseEqualLogs(const std::vector<InputFile>& logs);
 
-/// True for a file of that kind.
+/// Returns true if the file is of this kind.
 bool isOfKind(const std::string& path, const FileKind& kind);
 
-/// Makes a folder with those above it; true where it was not there. Throws std::runtime_error that begins with it.
+/// Creates a folder and its parents; returns true if it did not exist. Throws std::runtime_error.
 bool makeFolder(const std::string& folder);
 
-/// The folder for the records of a run, which never replaces an earlier one: `folder` itself, made where missing,
-/// unless one of the records stands in it or is being written; then the next free number, run_1, run_2 or NAME, NAME_2.
-/// `records` are names of files in it. Throws std::runtime_error where it cannot be made.
+/// Returns a folder for the records of a run, created if it is missing, so that no earlier run is replaced: `folder`
+/// itself, unless it contains one of the files `records` or one is being written; then the next free number: run_2
+/// after run_1, NAME_2 after NAME. Throws std::runtime_error if the folder cannot be created.
 std::string makeRunFolder(const std::string& folder, const std::vector<std::string>& records);
 
 }  // namespace rubber_suspension::io

@@ -21,7 +21,7 @@ void removePage(const std::string& path) {
 std::string renderPage(const std::string& json_path) {
   try {
     const ScriptResult drawing = runScript("render_report", {json_path}, "");
-    // Libraries may warn on their own behalf.
+    // After success, a line that does not begin with the name of the script is a warning of a library.
     return drawing.succeeded && !log::startsWith(drawing.last_error, "render_report: ") ? "" : drawing.last_error;
   } catch (const std::runtime_error& error) {
     return error.what();

@@ -5,13 +5,13 @@
 
 namespace rubber_suspension::io {
 
-/// Remove the page of an earlier report, which would be taken for part of the one that is about to be written. Nothing
-/// where there is none. Throws std::runtime_error where it cannot be removed.
+/// Removes the page of an earlier report, if there is one, because a reader would mistake it for part of the new
+/// report. Throws std::runtime_error if it cannot be removed.
 void removePage(const std::string& path);
 
-/// Draw the page beside a report's JSON file: report.html beside report.json, with the pages of its directions,
-/// plan.html or fleet.html. Returns in one line what the script has to say, as where Jinja2 is missing and there is no
-/// page; empty where there is nothing to say.
+/// Draws the page beside a JSON file: report.html beside report.json, with the pages of its directions, plan.html or
+/// fleet.html. Returns the last line of the script's errors, for example that Jinja2 is missing and no page was drawn;
+/// empty after success.
 std::string renderPage(const std::string& json_path);
 
 }  // namespace rubber_suspension::io

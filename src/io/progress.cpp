@@ -18,7 +18,7 @@ std::size_t terminalWidth() {
   return known ? size.ws_col : 80;
 }
 
-// In place of the line that stands there.
+// Replaces the current line of the terminal.
 void showLine(const std::string& text) {
   std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
   std::fflush(stderr);
@@ -54,7 +54,7 @@ void Progress::advance(std::size_t n) {
 
 void Progress::draw(int percent) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (percent == percent_.load()) {  // else another thread is further on
+  if (percent == percent_.load()) {  // otherwise another thread has advanced further
     showLine(bar(label_, percent, terminalWidth() - 1));
   }
 }

@@ -12,17 +12,17 @@
 namespace rubber_suspension::io {
 
 /// Shows on stderr how much of a task is done, if that is a terminal; otherwise does nothing.
-/// advance() may be called from several threads, as often as one likes: it draws only where the percentage changes.
+/// advance() may be called from several threads, and for every item: it draws only when the percentage changes.
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  ~Progress();  ///< removes the bar, so that what is printed next starts on a clean line
+  ~Progress();  ///< removes the bar, so that the next output begins on a clean line
 
   void advance(std::size_t n = 1);
 
-  /// The bar as text, "label  50 % [=====     ]"; cut to `width` characters.
+  /// Returns the bar as text, "label  50 % [=====     ]", cut to `width` characters.
   static std::string bar(const std::string& label, int percent, std::size_t width);
 
  private:
@@ -36,8 +36,8 @@ class Progress {
   std::mutex mutex_;
 };
 
-/// For work whose end is not known: from its second second on, says on stderr what is done and for how long already, if
-/// that is a terminal. One at a time, and no Progress within.
+/// Shows on stderr, if that is a terminal, what is being done and for how long, once it has lasted a second: for work
+/// of unknown length. Only one may exist at a time, and no Progress meanwhile.
 class Activity {
  public:
   explicit Activity(std::string label);

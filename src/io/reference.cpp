@@ -1,4 +1,4 @@
-// The reference page of the component file, written from the tables that check it.
+// Reference page of the component file, generated from the tables by which files are checked.
 #include "io/reference.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ std::vector<std::string> asCode(std::vector<std::string> names) {
   return names;
 }
 
-// A pipe would end the cell of a table, asterisks would set text in italics.
+// Escapes pipes, which would end the cell of a table, and asterisks, which would set text in italics.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {

@@ -1,11 +1,11 @@
-// The reference page of the component file, written from the tables that check it.
+// Reference page of the component file, generated from the tables by which files are checked.
 #pragma once
 
 #include <string>
 
 namespace rubber_suspension::io {
 
-/// Markdown: models, keys of the specification and elements, with units, ranges and defaults.
+/// Returns Markdown: models, keys of the specification and elements, with units, ranges and defaults.
 std::string parameterReference();
 
 }  // namespace rubber_suspension::io

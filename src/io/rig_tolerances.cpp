@@ -1,4 +1,4 @@
-// Tolerances of a rig: their table, and how text becomes one.
+// Tolerances of a rig: their table and their parser.
 #include "rubber_suspension/io/rig_tolerances.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace rubber_suspension::io {
 namespace {
 
-constexpr double kMostShare = 0.5;  // of a gain or a clock: beyond, its channel measures nothing
+constexpr double kMostShare = 0.5;  // of a gain or a clock; with a larger error the channel measures nothing
 
 std::string acceptedTolerance(const RigToleranceInfo& info) {
   const std::string share = fmt::format("a share of {} in %", info.share_of);

@@ -5,7 +5,8 @@
 
 namespace rubber_suspension::io {
 
-/// The unit of a rotation for one of a translation, SI: rad for m, N m for N. Itself where it has neither.
+/// Returns the SI unit of the rotational quantity that corresponds to a translational one: rad for m, N m for N.
+/// Returns other units unchanged.
 std::string rotationalUnit(const std::string& unit);
 
 }  // namespace rubber_suspension::io

@@ -22,8 +22,8 @@ namespace {
 
 using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-// The scripts lie in the package's folder next to this library. A build has no copies of them: there a file in that
-// folder says where they are.
+// Scripts are installed in the package's folder beside this library. In a build tree that folder has no copies, but a
+// file that contains their path.
 std::string scriptPath(const std::string& name) {
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&scriptPath), &info) == 0) {
@@ -57,7 +57,7 @@ std::string lastLine(std::FILE* file) {
   return start == std::string::npos ? text : text.substr(start + 1);
 }
 
-// Files in place of pipes: neither side ever waits for the other to read.
+// Files instead of pipes, so that neither process waits for the other to read.
 struct Streams {
   FilePointer input = temporaryFile();
   FilePointer errors = temporaryFile();

@@ -6,14 +6,14 @@
 
 namespace rubber_suspension::io {
 
-/// Output of a script.
+/// Result of a script.
 struct ScriptResult {
   bool succeeded = false;
   std::string last_error;  ///< the last line on its standard error
 };
 
-/// Run a script of the package with arguments and a text on its standard input, and wait for its end. Throws
-/// std::runtime_error where it cannot be run.
+/// Runs a script of the package with arguments and a text on its standard input, and waits for its end. Throws
+/// std::runtime_error if it cannot be run.
 ScriptResult runScript(const std::string& name, const std::vector<std::string>& arguments, const std::string& input);
 
 }  // namespace rubber_suspension::io

@@ -1,4 +1,4 @@
-// SHA-256 of files and texts, by which a report names what it read and a campaign knows its inputs and jobs again.
+// SHA-256 of files and texts, which identifies the inputs of reports and the inputs and jobs of campaigns.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::io {
 
-/// The hash as 64 hexadecimal digits.
+/// Returns the hash as 64 hexadecimal digits.
 std::string sha256(const std::string& text);
 
 struct FileHash {
@@ -14,7 +14,7 @@ struct FileHash {
   std::uint64_t size = 0;  ///< [bytes]
 };
 
-/// Hashes a file, read piece by piece. Throws std::runtime_error that begins with the path.
+/// Hashes a file piece by piece. Throws std::runtime_error, which begins with the path.
 FileHash hashFile(const std::string& path);
 
 }  // namespace rubber_suspension::io

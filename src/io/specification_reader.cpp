@@ -1,4 +1,4 @@
-// Specifications of a component file, driven by the tables of their numbers and of the models.
+// Reader of specifications, driven by the tables of their numbers and of the models.
 #include "io/specification_reader.h"
 
 #include <algorithm>

@@ -1,21 +1,21 @@
-// Reading of what a data sheet says.
+// Reader of specifications.
 #pragma once
 
 #include "io/element_reader.h"
 
 namespace rubber_suspension::io {
 
-/// ElementReader that knows the table of a specification's numbers.
+/// Reads specifications by the table of their numbers.
 class SpecificationReader : public ElementReader {
  protected:
   using ElementReader::ElementReader;
 
-  /// A component of any model but `elements`.
+  /// Reads a component of any model except `elements`.
   ComponentDescription loadSpecification(const Entry& entry, estimation::Model model, const Entry& add);
 
   std::vector<element::ElementDescription> loadAdded(const Entry& add, const estimation::Specification& specification);
 
-  std::optional<component::Preload> preload_;  ///< of the direction being read
+  std::optional<component::Preload> preload_;  ///< preload of the direction being read
 
  private:
   void preloadSpecification(const Entry& entry, estimation::Specification& specification) const;

@@ -14,14 +14,14 @@ namespace {
 
 constexpr int kMaximumNesting = 50;  // a component file needs 6
 constexpr int kMaximumIndentation = 200;
-// The most that a component file of a mebibyte can hold without aliases, at two bytes a value.
+// Largest number of values in a component file of a mebibyte without aliases, at two bytes a value.
 constexpr std::size_t kMaximumValues = 524288;
 
 struct ExpandedTooFar {
   int line;
 };
 
-// Counts values as they are parsed, an alias as what its anchor has counted.
+// Counts values while they are parsed; an alias counts as all values of its anchor.
 class ValueCounter : public YAML::EventHandler {
  public:
   int startOfDocument() const { return start_; }  // line, from 1
@@ -47,7 +47,7 @@ class ValueCounter : public YAML::EventHandler {
  private:
   struct Open {
     YAML::anchor_t anchor;
-    std::size_t before;  // values that stand before it
+    std::size_t before;  // number of values before it
   };
 
   void count(const YAML::Mark& mark, std::size_t values) {
@@ -75,16 +75,16 @@ class ValueCounter : public YAML::EventHandler {
   int start_ = 1;
   std::size_t values_ = 0;
   std::vector<Open> open_;
-  std::map<YAML::anchor_t, std::size_t> sizes_;  // that of no anchor is never asked for
+  std::map<YAML::anchor_t, std::size_t> sizes_;  // that of "no anchor" is never read
 };
 
-// The line at which a text is nested deeper than any file of this package. The parser is recursive, and not every
-// version of it bounds its depth. Brackets in quotes or comments count, too, which no real file notices.
+// Returns the line at which a text is nested deeper than any file of this package, because the parser is recursive and
+// some versions do not bound its depth. Brackets in quotes or comments count, too; real files have few of them.
 std::optional<int> lineNestedTooDeep(const std::string& text) {
   int line = 1;
   int brackets = 0;
   int indentation = 0;
-  bool leading = true;  // nothing on this line so far but blanks and the marks of nested lists and keys
+  bool leading = true;  // the line so far has only blanks and marks of nested lists and keys
   for (const char c : text) {
     brackets += (c == '[' || c == '{' ? 1 : 0) - (c == ']' || c == '}' ? 1 : 0);
     leading = c == '\n' || (leading && (c == ' ' || c == '-' || c == '?' || c == ':'));
@@ -118,7 +118,7 @@ std::optional<YamlProblem> beyondYamlBounds(const std::string& text) {
   return std::nullopt;
 }
 
-// Not by YAML::LoadAll, which never returns for a stray comma.
+// YAML::LoadAll is not used, because it never returns for a stray comma.
 std::optional<int> lineOfSecondDocument(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
@@ -126,7 +126,7 @@ std::optional<int> lineOfSecondDocument(const std::string& text) {
   bool second = true;
   try {
     second = parser.HandleNextDocument(counter) && parser.HandleNextDocument(counter);
-  } catch (const ExpandedTooFar&) {  // it has begun
+  } catch (const ExpandedTooFar&) {  // the second document has begun
   }
   return second ? std::optional(counter.startOfDocument()) : std::nullopt;
 }

@@ -11,11 +11,11 @@ struct YamlProblem {
   std::string text;  ///< with what is accepted
 };
 
-/// Where a text is nested deeper, or comes to hold more values, than any file of this package; each alias (*name)
-/// counts as all that it stands for, as aliases of aliases multiply. Throws YAML::Exception where the text is not YAML.
+/// Returns where a text exceeds the depth or the number of values of any file of this package; an alias (*name) counts
+/// as all values of its anchor, because nested aliases multiply. Throws YAML::Exception if the text is not YAML.
 std::optional<YamlProblem> beyondYamlBounds(const std::string& text);
 
-/// The line, from 1, at which a second document begins. Throws as beyondYamlBounds() does.
+/// Returns the line, from 1, at which a second document begins. Throws as beyondYamlBounds() does.
 std::optional<int> lineOfSecondDocument(const std::string& text);
 
 }  // namespace rubber_suspension::io

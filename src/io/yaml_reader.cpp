@@ -1,4 +1,4 @@
-// YAML of a component file as a tree of entries, and the wording of what is refused.
+// YAML as a tree of entries, and the wording of refusals.
 #include "io/yaml_reader.h"
 
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace {
 
 constexpr const char* kMerge = "<<";
 
-// A comma between digits divides a flow map there, so that what follows it stands as a key.
+// In a flow map a decimal comma separates entries, so that the digits after it become a key.
 std::string decimalCommaHint(const std::string& key) {
   const bool digits = !key.empty() && key.find_first_not_of("0123456789eE+-") == std::string::npos;
   return digits ? " (is there a decimal comma before it? use a decimal point)" : "";
 }
 
-// The first line up to that one which is indented with a tab, from 0; -1 without one.
+// Returns the first line up to line `last` that is indented with a tab, both from 0; -1 if there is none.
 int lineWithTab(const std::string& text, int last) {
   std::istringstream lines(text);
   std::string line;
@@ -148,7 +148,7 @@ RigTolerances YamlReader::loadRig(const Entry& entry) {
       }
       try {
         return parseRigTolerance(row.name, value.text());
-      } catch (const std::invalid_argument& error) {  // it begins with the key
+      } catch (const std::invalid_argument& error) {  // the message begins with the key
         refuseAt(value.node, fmt::format("{}.{}", entry.path, error.what()));
       }
     }));

@@ -14,7 +14,7 @@
 
 namespace rubber_suspension::io {
 
-/// A node of the file and where in its component it stands: "specification.loss_angle", "add[0].type".
+/// A node of the file and its path in the component: "specification.loss_angle", "add[0].type".
 struct Entry {
   YAML::Node node;
   std::string path;
@@ -24,25 +24,25 @@ struct Entry {
   const std::string& text() const { return node.Scalar(); }
   bool startsAsNumber() const;
 
-  Entry operator[](const std::string& key) const;  ///< of a map; not defined if the key is missing
-  Entry operator[](std::size_t i) const;           ///< of a list
+  Entry operator[](const std::string& key) const;  ///< entry of a map; undefined if the key is missing
+  Entry operator[](std::size_t i) const;           ///< entry of a list
 };
 
 /// Describes a node for an error: the quoted text, "a list", "nothing".
 std::string kindOf(const YAML::Node& node);
 
-/// ", did you mean ...?" where the text is nearly one of these names.
+/// Returns ", did you mean ...?" if the text is similar to one of the names, else an empty text.
 std::string hintOf(const YAML::Node& node, const std::vector<std::string>& names);
 
-/// A key of a map, and how its value goes into what the map describes; without that it is read elsewhere.
+/// A key of a map and the function that stores its value in the target; without a function it is read elsewhere.
 template <class Target>
 struct Key {
   std::string name;
   std::function<void(const Entry&, Target&)> read = {};
-  std::string needed = {};  ///< what is accepted, of a key that may not be missing
+  std::string needed = {};  ///< accepted values of a required key; empty: the key is optional
 };
 
-/// A key whose value, as `load` finds it, becomes a member.
+/// Returns a key whose value, read by `load`, is stored in a member.
 template <class Target, class Value, class Load>
 Key<Target> into(std::string name, Value Target::* member, Load load, std::string needed = {}) {
   return {std::move(name), [=](const Entry& entry, Target& target) { target.*member = load(entry); },
@@ -53,7 +53,7 @@ Key<Target> into(std::string name, Value Target::* member, Load load, std::strin
 /// ComponentFileError, unless `problems_` is set: then reading continues, and `problems_` receives every problem.
 class YamlReader {
  protected:
-  /// `kind` is what the file should be, such as "a component file"; `key` is the key that it has to have.
+  /// `kind` is what the file should be, such as "a component file"; `key` is its required key.
   YamlReader(std::string source, std::string kind, std::string key)
       : source_(std::move(source)), kind_(std::move(kind)), key_(std::move(key)) {}
 
@@ -83,15 +83,15 @@ class YamlReader {
   void requireMap(const Entry& entry, const std::string& accepted = "a map") const;
   Entry require(const Entry& map, const std::string& key, const std::string& what) const;
 
-  /// Refuses a key that stands twice, and merges what `<<` names.
+  /// Refuses repeated keys, and merges the maps that `<<` names.
   void checkUnique(const Entry& map);
   void checkKeys(const Entry& map, const std::vector<std::string>& names);
   void checkMap(const Entry& map, const std::vector<std::string>& names, const std::string& accepted = "a map");
 
-  /// A key with the path of what it names.
+  /// Returns a key as an entry with the path of its value.
   static Entry keyOf(const Entry& map, const YAML::Node& key) { return {key, map[key.Scalar()].path}; }
 
-  /// Reads a map by its keys, in their order.
+  /// Reads a map by its keys, in the order of `keys`.
   template <class Target>
   void read(const Entry& map, const std::vector<Key<Target>>& keys, Target& target, const char* accepted = "a map") {
     checkMap(map, element::namesOf(keys), accepted);
@@ -105,7 +105,7 @@ class YamlReader {
     }
   }
 
-  /// A list of maps, each read by `load`.
+  /// Reads a list of maps, each by `load`.
   template <class Value, class Load>
   std::vector<Value> loadMaps(const Entry& list, Load load) {
     if (!list.node.IsSequence() || list.node.size() == 0 || list.node.size() > kMaximumElements) {
@@ -119,14 +119,14 @@ class YamlReader {
     return values;
   }
 
-  /// The index of a word among those accepted; `wanted` says what it should name, "a model".
+  /// Returns the index of a word in `words`; `wanted` is what it should name, such as "a model", for errors.
   std::size_t loadWord(const Entry& entry, const std::vector<std::string>& words, const std::string& wanted = "") const;
   bool loadFlag(const Entry& entry) const { return loadWord(entry, {"false", "true"}) == 1; }
 
   RigTolerances loadRig(const Entry& entry);
 
-  std::string component_;                         ///< the one being read, for errors
-  std::string place_;                             ///< the direction being read, of a component of six
+  std::string component_;                         ///< name of the component being read, for errors
+  std::string place_;                             ///< direction being read of a component of six directions
   std::vector<std::string>* problems_ = nullptr;  ///< receives all problems; nullptr: the first one is thrown
 
  private:
@@ -136,8 +136,8 @@ class YamlReader {
   std::string source_;
   std::string kind_;
   std::string key_;
-  // A key without value: YAML places the nothing at the token that follows, perhaps lines below. By position, the key's
-  // line.
+  // Lines of keys without a value, by the position of their null node, which yaml-cpp places at the next token,
+  // possibly lines below.
   std::map<int, int> lines_of_nothing_;
 };
 

@@ -1,4 +1,4 @@
-// Figures: what a command wants drawn, as data; drawn by Matplotlib in a process of its own.
+// Figures as data, which Matplotlib draws in a process of its own.
 #pragma once
 
 #include <stdexcept>
@@ -16,15 +16,15 @@ struct Curve {
   std::vector<double> x;
   std::vector<double> y;
   std::string style = "-";  ///< Matplotlib's line or marker format, "-", "--", "o", ...
-  int colour = -1;          ///< index into the palette; -1: the next one, or kInk
-  double width = 0.0;       ///< of the line [pt]; 0: as usual
+  int colour = -1;          ///< index into the palette, or kInk; -1: the next colour
+  double width = 0.0;       ///< of the line [pt]; 0: Matplotlib's default
 };
 
 /// A map of values over a grid, drawn as an image with a colour bar.
 struct HeatMap {
   std::vector<double> x_edges;
   std::vector<double> y_edges;
-  std::vector<double> values;  ///< row by row along y; NaN is left blank
+  std::vector<double> values;  ///< row by row along y; NaN: blank
   std::string label;           ///< of the colour bar, with unit
 };
 
@@ -34,9 +34,9 @@ struct Axes {
   std::string y_label;
   bool log_x = false;
   bool log_y = false;
-  std::vector<std::string> rows = {};  ///< names of y = 0, 1, 2, ..., from the top down; none: y is a number
+  std::vector<std::string> rows = {};  ///< labels of y = 0, 1, 2, ... from the top down; empty: y is a number
   std::vector<Curve> curves = {};
-  std::vector<HeatMap> maps = {};  ///< none or one
+  std::vector<HeatMap> maps = {};  ///< at most one
 };
 
 struct Figure {
@@ -52,8 +52,8 @@ struct Spread {
   double upper = 0.0;
 };
 
-/// Adds one value per row to axes with rows: a marker with a line from quartile to quartile, `offset` rows below the
-/// row's middle. The colour is an index into the palette.
+/// Adds one value per row to axes with rows: a marker and a line from quartile to quartile, `offset` rows below the
+/// middle of the row. `colour` is an index into the palette.
 void addSpreads(Axes& axes, const std::string& label, const std::vector<Spread>& values, double offset, int colour);
 
 class FigureError : public std::runtime_error {
@@ -61,10 +61,10 @@ class FigureError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// True for the names that drawFigure accepts: FILE.svg and FILE.png.
+/// Returns true for the names that drawFigure() accepts: FILE.svg and FILE.png.
 bool isFigurePath(const std::string& path);
 
-/// Draws to FILE.svg or FILE.png, by the extension. Throws FigureError.
+/// Draws to FILE.svg or FILE.png. Throws FigureError for any other name, and if drawing fails.
 void drawFigure(const Figure& figure, const std::string& path);
 
 }  // namespace rubber_suspension::io
