@@ -1,4 +1,4 @@
-// All components of the node, where something concerns them all at one instant. Independent of ROS.
+// All components of the node, for operations on all of them at one instant. Independent of ROS.
 #pragma once
 
 #include <algorithm>
@@ -25,10 +25,10 @@ class ChannelGroup {
 
   const std::vector<ComponentChannel*>& channels() const { return channels_; }
 
-  /// Channels of six directions, or of one.
+  /// Returns the channels of six directions, or those of one.
   const std::vector<ComponentChannel*>& channels(bool six_directions) const { return by_kind_[six_directions ? 1 : 0]; }
 
-  /// Held while a bundle is answered.
+  /// Returns the lock to be held while a bundle is answered.
   std::shared_lock<std::shared_mutex> bundle() const { return std::shared_lock<std::shared_mutex>(mutex_); }
 
   std::vector<SavedState> save() const {
@@ -41,7 +41,7 @@ class ChannelGroup {
     return states;
   }
 
-  /// Back to new components at rest.
+  /// Resets all to new components at rest.
   void reset() {
     const Alone lock(mutex_);
     std::for_each(channels_.begin(), channels_.end(), [](ComponentChannel* channel) { channel->reset(); });
@@ -52,8 +52,8 @@ class ChannelGroup {
     std::for_each(channels_.begin(), channels_.end(), [=](ComponentChannel* channel) { channel->setEnabled(enabled); });
   }
 
-  /// One state for each channel, in their order. All or none: throws as ComponentChannel::checkState, and nothing has
-  /// changed.
+  /// Loads one state for each channel, in their order. If one is refused, throws as ComponentChannel::checkState() and
+  /// changes nothing.
   void load(const std::vector<const SavedState*>& states) {
     const Alone lock(mutex_);
     for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -64,7 +64,7 @@ class ChannelGroup {
     }
   }
 
-  /// One model for each channel, in their order.
+  /// Replaces the model of each channel; `models` has the order of the channels.
   void exchange(const std::vector<std::shared_ptr<ComponentChannel::Model>>& models) {
     const Alone lock(mutex_);
     for (std::size_t i = 0; i < channels_.size(); ++i) {

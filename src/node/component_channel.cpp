@@ -1,4 +1,4 @@
-// One component of the node: its samples, its counters, its state.
+// One component of the node: its samples, counters and state.
 #include "node/component_channel.h"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ void goOn(component::SampleStream& stream, const SavedStream& saved) {
 
 void goOn(component::PoseStream& stream, const SavedStream& saved) { stream.deserialise(saved.stamp, saved.memory); }
 
-// Refuses a model that cannot be computed beside another.
+// Throws for a model that cannot be computed beside another.
 void requireOneDirection(const io::ComponentDescription& description) {
   element::refuseIf(description.six != nullptr,
                     "{}: has six directions and cannot be promoted; accepted: a component of one direction",
@@ -64,7 +64,7 @@ class ComponentChannel::Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  // Asks either kind, by its component and stream.
+  // Calls `question` with the component and the stream, of either kind.
   template <class Ask>
   auto ask(Ask question) const {
     return six ? question(six->component, six->stream) : question(one->component, one->stream);
@@ -74,7 +74,7 @@ class ComponentChannel::Model {
     six ? order(six->stream) : order(one->stream);
   }
 
-  // The elements of which the model consists; of six directions, which have more than elements, a hash of it all.
+  // Returns the elements, or for six directions, which have more than elements, the hash of the description.
   ModelIdentity identity() const {
     return six ? ModelIdentity{{}, sha256} : ModelIdentity{one->component.elements(), ""};
   }
@@ -84,7 +84,7 @@ class ComponentChannel::Model {
   void restore(const SavedStream& saved) {
     tell([&](auto& stream) { saved.started ? goOn(stream, saved) : stream.reset(); });
   }
-  // Does not touch the running stream, and so needs no lock.
+  // Does not touch the running stream, so it needs no lock.
   void check(const SavedStream& saved) const {
     ask([&](const auto& component, const auto& running) {
       std::decay_t<decltype(running)> stream(component, max_gap_);
@@ -92,7 +92,7 @@ class ComponentChannel::Model {
     });
   }
 
-  // The stream refers to the component, so the two stay at one address.
+  // A component and its stream, which refers to the component, so that neither may move.
   template <class Component, class Stream>
   struct Fed {
     Fed(Component made, double max_gap) : component(std::move(made)), stream(component, max_gap) {}
@@ -111,7 +111,7 @@ class ComponentChannel::Model {
   const double max_gap_;
 };
 
-// The model beside the configured one. It is fed with the samples that this one accepts.
+// A second model beside the configured one. It receives the samples that the configured model accepts.
 class ComponentChannel::Promotion {
  public:
   Promotion(io::ComponentDescription of, double max_gap, const PromotionSettings& settings, RunStage stage,
@@ -134,7 +134,7 @@ class ComponentChannel::Promotion {
     return fade.blend(configured, answer.force);
   }
 
-  // Out of the shadow, by what was measured meanwhile.
+  // Ends the shadow: begins the cross-fade, unless the errors were larger than those of the configured model.
   void judgeShadow(const PairedErrors& errors) {
     const bool is_no_worse = errors.samples == 0 || errors.other <= errors.published;
     note = (is_no_worse ? "" : "the model was not promoted because it was worse: ") + describeErrors(errors);
@@ -164,7 +164,7 @@ ComponentChannel::ComponentChannel(const io::ComponentDescription& description, 
   }
 }
 
-// True if the model may receive a sample, at the temperature of its stamp.
+// Returns true if the component is enabled, and sets the temperature at the stamp.
 bool ComponentChannel::begins(std::int64_t stamp, bool finite) {
   if (!counts_.enabled) {
     ++counts_.disabled;
@@ -228,8 +228,8 @@ void ComponentChannel::addMeasured(std::int64_t stamp, const component::Wrench& 
   }
 }
 
-// The monitors of six directions store the measured wrench, whose components in the directions depend on the pose.
-// Samples that are missing in one of them are omitted.
+// For six directions the monitors store the measured wrench, and its forces in the directions, which depend on the
+// pose, are computed here. Samples that one of the monitors lacks are omitted.
 std::vector<std::vector<MatchedSample>> ComponentChannel::windows(double seconds) const {
   std::vector<std::vector<MatchedSample>> windows;
   for (const GapMonitor& gap : gaps_) {
@@ -275,7 +275,7 @@ bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
   return true;
 }
 
-// Keeps the last measured temperature rather than that of the state.
+// Applies the last measured temperature, which takes precedence over that of a state.
 void ComponentChannel::keepTemperature() {
   if (const std::optional<double>& temperature = temperatures_.current()) {
     model_->tell([&](auto& stream) { stream.setTemperature(*temperature); });
@@ -285,7 +285,7 @@ void ComponentChannel::keepTemperature() {
   }
 }
 
-// True if another model is computed, too.
+// Returns true if a second model is computed.
 bool ComponentChannel::isBeside() const { return promotion_ && promotion_->fade.stage() != RunStage::configured; }
 
 void ComponentChannel::countLost(std::uint64_t samples) {

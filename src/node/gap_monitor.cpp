@@ -21,7 +21,7 @@ void GapMonitor::makeRoom(std::uint64_t number) {
 void GapMonitor::match(std::uint64_t number, double force) {
   MatchedSample& sample = at(number);
   if (!std::isnan(sample.measured)) {
-    ++counters_.unmatched;  // a second force of one stamp
+    ++counters_.unmatched;  // a second force with the same stamp
     return;
   }
   sample.measured = force;
@@ -34,7 +34,7 @@ void GapMonitor::match(std::uint64_t number, double force) {
   }
 }
 
-// Measured forces that came before their sample. Older ones cannot be matched any more.
+// Matches measured forces that came before their sample; older ones can no longer be matched.
 void GapMonitor::takeWaiting(std::uint64_t number) {
   const std::int64_t stamp = at(number).stamp;
   const auto is_past = [&](const Waiting& waiting) {
@@ -55,7 +55,7 @@ void GapMonitor::addSimulated(std::int64_t stamp, double displacement, double fo
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   if (count_ > first_ && stamp <= at(count_ - 1).stamp) {
-    first_ = count_;  // what waits may belong to the new replay
+    first_ = count_;  // forces that wait may belong to the new replay
   }
   const std::uint64_t number = count_;
   makeRoom(number);
@@ -66,7 +66,7 @@ void GapMonitor::addSimulated(std::int64_t stamp, double displacement, double fo
   }
 }
 
-// Number of the first sample that is not earlier: stamps increase with the numbers.
+// Returns the number of the first sample that is not earlier than `stamp`; stamps increase with the numbers.
 std::uint64_t GapMonitor::firstFrom(std::int64_t stamp) const {
   using Number = boost::counting_iterator<std::uint64_t>;
   return *std::partition_point(Number(oldest()), Number(count_),
@@ -127,7 +127,7 @@ std::vector<MatchedSample> GapMonitor::read(std::uint64_t& next, std::size_t mos
     const std::lock_guard<std::mutex> lock(mutex_);
     if (next < oldest()) {
       next = oldest();
-      samples.clear();  // overtaken, or a new replay
+      samples.clear();  // the samples were overwritten, or a new replay began
     }
     for (const std::uint64_t end = std::min(next + kPiece, matched_end_); next < end; ++next) {
       if (!std::isnan(at(next).measured)) {

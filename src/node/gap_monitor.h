@@ -1,5 +1,4 @@
-// Matches measured to simulated forces by stamp and keeps the last seconds of them, for the live gap. Independent of
-// ROS.
+// Matches measured to simulated forces by stamp and stores the last seconds for the live gap. Independent of ROS.
 #pragma once
 
 #include <array>
@@ -19,48 +18,48 @@ struct MatchedSample {
   std::int64_t stamp = 0;                                    ///< [ns]
   double displacement = 0.0;                                 ///< [m]
   double simulated = 0.0;                                    ///< [N]
-  double measured = 0.0;                                     ///< [N]; NaN until it has come
-  double beside = std::numeric_limits<double>::quiet_NaN();  ///< [N] of the model beside the published one, if any
+  double measured = 0.0;                                     ///< [N]; NaN until it is received
+  double beside = std::numeric_limits<double>::quiet_NaN();  ///< force of the second model [N], if any
 };
 
 struct MatchCounters {
   std::uint64_t matched = 0;
-  std::uint64_t unmatched = 0;   ///< measured forces whose stamp no sample had, or had no more
-  std::uint64_t not_finite = 0;  ///< measured forces dropped, those beyond element::kLargestNumber among them
+  std::uint64_t unmatched = 0;   ///< measured forces without a stored sample of the same stamp
+  std::uint64_t not_finite = 0;  ///< measured forces dropped, also if beyond element::kLargestNumber
 };
 
 /// Matches samples and measured forces from different threads, in any relative order. Costs nothing before the first
-/// measured force; afterwards it allocates nothing and locks for one sample at a time.
+/// measured force; afterwards it locks for one sample at a time, and allocates only for samples beyond kCapacity.
 class GapMonitor {
  public:
-  static constexpr std::size_t kCapacity = 32768;  ///< samples kept by default: 32 s at 1 kHz, 3 s at 10 kHz
-  static constexpr std::size_t kWaiting = 4096;    ///< measured forces ahead of their samples, kept at most
+  static constexpr std::size_t kCapacity = 32768;  ///< samples stored by default: 32 s at 1 kHz, 3 s at 10 kHz
+  static constexpr std::size_t kWaiting = 4096;    ///< largest number of measured forces that wait for their samples
 
-  /// Stores `capacity` samples, at least kCapacity; memory beyond that is allocated as they come.
+  /// Stores `capacity` samples, at least kCapacity; memory for more than kCapacity is allocated as they come.
   explicit GapMonitor(std::size_t capacity = kCapacity);
 
-  /// A sample that the component accepted. A stamp that steps back is a new replay: all earlier samples are forgotten.
-  /// One beyond element::kLargestNumber is passed over. `beside` is the force [N] of a model that is computed beside
-  /// the published one, if any.
+  /// Adds an accepted sample: stamp [ns], displacement [m], force [N]. A stamp that steps back begins a new replay and
+  /// discards all earlier samples. Numbers beyond element::kLargestNumber are ignored. `beside` is the force [N] of the
+  /// second model, if any.
   void addSimulated(std::int64_t stamp, double displacement, double force,
                     double beside = std::numeric_limits<double>::quiet_NaN());
 
-  /// Returns false where the force is not finite, or beyond element::kLargestNumber.
+  /// Adds a measured force: stamp [ns], force [N]. Returns false if it is not finite or beyond element::kLargestNumber.
   bool addMeasured(std::int64_t stamp, double force);
 
-  /// Forget all samples; counters stay.
+  /// Discards all samples; counters remain.
   void clear();
 
-  /// The matched samples of the last `window` [s], in order.
+  /// Returns the matched samples of the last `window` [s], in order.
   std::vector<MatchedSample> window(double window) const;
 
-  /// The matched samples from number `next` on, in order, about `most` at most; moves `next` behind them. A reader that
-  /// comes too late misses what was overwritten. Takes the lock piece by piece, so that nobody waits long.
+  /// Returns matched samples from number `next` on, in order, about `most` at most, and moves `next` behind them.
+  /// Samples that were overwritten before are missing. Locks piece by piece, so that other threads do not wait long.
   std::vector<MatchedSample> read(std::uint64_t& next, std::size_t most) const;
 
   MatchCounters counters() const;
 
-  /// Errors of the published force and of the one beside it, since they were cleared.
+  /// Returns the errors of both models since the last clearPairedErrors().
   PairedErrors pairedErrors() const;
   void clearPairedErrors();
 
@@ -86,10 +85,10 @@ class GapMonitor {
   const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::atomic<bool> wanted_{false};
-  std::vector<std::unique_ptr<Block>> blocks_;  // of a ring; sample number n is at n modulo the capacity
+  std::vector<std::unique_ptr<Block>> blocks_;  // a ring buffer; sample number n is at n modulo the capacity
   std::uint64_t first_ = 0;                     // number of the first sample since the last restart
   std::uint64_t count_ = 0;                     // number of the next sample
-  std::uint64_t matched_end_ = 0;               // number behind the newest that is matched
+  std::uint64_t matched_end_ = 0;               // number after the newest matched sample
   std::vector<Waiting> waiting_;
   MatchCounters counters_;
   PairedErrors paired_;

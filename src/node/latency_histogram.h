@@ -1,4 +1,4 @@
-// Histogram of latencies, of fixed size: counting allocates nothing and needs some nanoseconds.
+// Histogram of latencies of fixed size: counting allocates nothing and takes a few nanoseconds.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,14 @@
 
 namespace rubber_suspension::node {
 
-/// Durations in nanoseconds, in buckets that are eight to an octave: a percentile is exact to 9 %.
+/// Histogram of durations [ns] with eight buckets per octave, so that a percentile is accurate to 9 %.
 class LatencyHistogram {
  public:
   std::uint64_t count() const { return count_; }
   double maximum() const { return 1e-9 * static_cast<double>(maximum_); }  ///< [s]
 
-  /// Upper edge of the bucket below which this fraction (0 to 1) of the samples lies [s]; 0 without samples.
+  /// Returns the time [s] below which this fraction (0 to 1) of the samples lies: the upper edge of a bucket; 0 without
+  /// samples.
   double percentile(double fraction) const {
     const double wanted = std::max(1.0, std::ceil(fraction * static_cast<double>(count_)));
     double seen = 0.0;
@@ -38,7 +39,7 @@ class LatencyHistogram {
   std::int64_t maximum_ = 0;
 };
 
-/// Counts durations in any number of threads, without a lock.
+/// Counts durations from any number of threads, without a lock.
 class LatencyCounter {
  public:
   void add(std::int64_t nanoseconds) {

@@ -1,4 +1,4 @@
-// The live gap: its size relative to noise, place and trend, and the part of the rig. Independent of ROS.
+// The live gap: its size relative to noise, its place and trend, and the errors of the rig. Independent of ROS.
 #pragma once
 
 #include <array>
@@ -17,28 +17,28 @@ namespace rubber_suspension::node {
 
 struct GapSettings {
   double window = 10.0;  ///< length of the sliding window [s]
-  double warn = 0.1;     ///< gap beyond noise from which on diagnostics warn [-]
-  double error = 0.3;    ///< and from which on they report an error [-]
+  double warn = 0.1;     ///< gap beyond noise at which diagnostics warn [-]
+  double error = 0.3;    ///< gap beyond noise at which they report an error [-]
 };
 
 enum class GapLevel { unknown, ok, warn, error };
 
-/// A gap as of now. Gaps are RMS of measured minus simulated force over the standard deviation of the measured force.
+/// The present gap: RMS of measured minus simulated force over the standard deviation of the measured force.
 struct LiveGap {
-  bool known = false;      ///< false: too few samples, or nothing moves; the rest means nothing then
+  bool known = false;      ///< false: too few samples, or no motion; only `reason` has a meaning
   std::string reason;      ///< why it is not known
   std::int64_t stamp = 0;  ///< of the newest sample [ns]
   double window = 0.0;     ///< time that the samples cover [s]
   std::size_t samples = 0;
   double gap = 0.0;                 ///< without errors of the rig within its tolerances [-]
   double gap_as_recorded = 0.0;     ///< with them [-]
-  double noise_floor = 0.0;         ///< what the white noise of the measured force alone would give [-]
+  double noise_floor = 0.0;         ///< gap from the white noise of the measured force alone [-]
   double beyond_noise = 0.0;        ///< sqrt(gap^2 - noise_floor^2), at least 0 [-]
-  double trend = 0.0;               ///< change of `gap` with the time of the stamps [1/s]; 0 until a window long
-  gap::Iso18571 iso18571;           ///< rating of the forces with what the rig did
-  std::array<double, 5> share{};    ///< of the squared gap, by Quantity; they add up to 1
+  double trend = 0.0;               ///< rate of change of `gap` [1/s]; 0 until the reports span a window
+  gap::Iso18571 iso18571;           ///< rating of the forces with the errors of the rig
+  std::array<double, 5> share{};    ///< of the squared gap, by gap::Quantity; the sum is 1
   std::vector<gap::GapCell> cells;  ///< by frequency, amplitude and quantity, largest first
-  std::vector<measurement::RigFinding> rig_findings;  ///< what the rig did in this window
+  std::vector<measurement::RigFinding> rig_findings;  ///< errors of the rig in this window
 
   GapLevel level(const GapSettings& settings) const;
 };
@@ -46,10 +46,10 @@ struct LiveGap {
 /// The force of a sample that is compared with the measured one.
 using SimulatedForce = double MatchedSample::*;
 
-/// The gap of one window of matched samples, split as the diagnosis splits it; without trend. Samples without that
-/// force, and those before the newest time gap (log::EvenSteps), are omitted. Offset, delay, clock and gain of the
-/// force channel are removed within 2 standard deviations of the rig's tolerances, and samples that a channel did not
-/// measure do not count. An offset of the displacement remains, because finding it needs another simulation.
+/// Returns the gap of one window of matched samples, split as in the diagnosis, without trend. Samples without `force`,
+/// and those before the newest time gap (log::EvenSteps), are omitted. Offset, delay, clock error and gain of the force
+/// channel are removed if within 2 standard deviations of the rig's tolerances, and samples that a channel did not
+/// measure do not count. An offset of the displacement remains, because estimating it needs another simulation.
 LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings,
                    const io::RigTolerances& tolerances = {}, SimulatedForce force = &MatchedSample::simulated);
 

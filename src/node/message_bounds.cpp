@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kSequenceAndStamp = 12;
 constexpr std::size_t kLength = 4;
 
-// Reads the fields of a message, each checked against the remaining bytes. After one that does not fit, none does.
+// Reads the fields of a message, each checked against the remaining bytes. After the first that does not fit, all fail.
 class Fields {
  public:
   Fields(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -23,7 +23,7 @@ class Fields {
     data_ += fit_ ? size : 0;
   }
 
-  // A length of four bytes, least significant first; 0 where it is more than `most`.
+  // Reads a length of four bytes, least significant first; returns 0 if it exceeds `most`.
   std::size_t length(std::size_t most) {
     const std::uint8_t* const at = data_;
     skip(kLength);

@@ -1,4 +1,4 @@
-// Replacement of the configured model.
+// Replacement of the configured model by a cross-fade.
 #include "node/promotion.h"
 
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ element::ComponentForce CrossFade::blend(const element::ComponentForce& configur
   using Force = element::ComponentForce;
   Force force = configured;
   for (const auto part : {&Force::total, &Force::elastic, &Force::viscous, &Force::friction}) {
-    // The difference of halves cannot overflow.
+    // Halving before subtraction prevents an overflow.
     force.*part = 2.0 * (0.5 * configured.*part + weight_ * (0.5 * other.*part - 0.5 * configured.*part));
   }
   return force;

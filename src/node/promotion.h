@@ -1,4 +1,5 @@
-// Replacement of the configured model: first in its shadow, then by a cross-fade, and back. Independent of ROS.
+// Replacement of the configured model: a second model is computed in parallel (shadow), then takes over by a
+// cross-fade, which can be reversed. Independent of ROS.
 #pragma once
 
 #include <cstdint>
@@ -9,36 +10,36 @@
 
 namespace rubber_suspension::node {
 
-/// The source of a component's force.
+/// The model from which the published force is computed.
 enum class RunStage {
   configured,    ///< the configured model alone
-  shadow,        ///< the configured model, while the other is computed beside it
+  shadow,        ///< the configured model, while the other is computed in parallel
   promoting,     ///< a cross-fade to the other model
-  promoted,      ///< the other model, while the configured one is computed beside it
+  promoted,      ///< the other model, while the configured one is computed in parallel
   rolling_back,  ///< a cross-fade to the configured model; `configured` follows
 };
 
 std::string toString(RunStage stage);
 
-/// The stage of that name; throws std::invalid_argument.
+/// Returns the stage with this name. Throws std::invalid_argument for any other text.
 RunStage runStageOf(const std::string& name);
 
 struct PromotionSettings {
-  double shadow = 5.0;  ///< time that a model is computed beside the configured one before the cross-fade [s]
-  double fade = 1.0;    ///< time of a cross-fade [s]
+  double shadow = 5.0;  ///< time that a model is computed in parallel before the cross-fade [s]
+  double fade = 1.0;    ///< duration of a cross-fade [s]
 };
 
-/// Squared errors of two models at the same samples [N^2], summed up.
+/// Sums of the squared errors of two models at the same samples [N^2].
 struct PairedErrors {
   std::uint64_t samples = 0;  ///< with a measured force
   double published = 0.0;     ///< of the force that was published
-  double other = 0.0;         ///< of the force of the model beside it
+  double other = 0.0;         ///< of the force of the second model
 };
 
-/// The weight of the other model in the published force, as the stamps go on. Published is
-///   F = F_configured + w (F_other - F_configured),  w from 0 to 1 or back with the slope 1/fade.
-/// From one sample to the next the change of w alone changes F by at most dt/fade |F_other - F_configured|: there is no
-/// other jump than that, unless the other model's force is not finite; then the configured one is published at once.
+/// The weight w of the other model in the published force
+///   F = F_configured + w (F_other - F_configured),  where w changes from 0 to 1 or back with the slope 1/fade.
+/// From one sample to the next the change of w changes F by at most dt/fade |F_other - F_configured|. F has no other
+/// jump, unless the other model's force is not finite: then the configured one is published at once.
 class CrossFade {
  public:
   CrossFade(const PromotionSettings& settings, RunStage stage, double weight)
@@ -48,26 +49,28 @@ class CrossFade {
   double weight() const { return weight_; }
   std::int64_t since() const { return since_; }  ///< stamp of the stage's first sample [ns]
 
-  /// Advances to a sample at that stamp [ns]. A stamp that steps back counts as no time.
+  /// Advances to a sample with this stamp [ns]. A stamp that steps back does not advance the cross-fade.
   void advance(std::int64_t stamp);
 
-  /// Begins the stage with the last sample, at that stamp.
+  /// Continues a saved stage, whose last sample had this stamp [ns]; its time begins again.
   void resume(std::int64_t stamp) {
     last_ = stamp;
     since_ = stamp;
   }
 
-  /// True once the shadow is over; then call take() or end().
+  /// Returns true once the time in the shadow is over; then call take() or end().
   bool shadowIsOver() const;
 
-  /// Begins the cross-fade from the configured model to the other one, or reverses a fade back.
+  /// Begins the cross-fade from the configured model to the other one.
   void take() { enter(RunStage::promoting); }
+
+  /// Begins the cross-fade back to the configured model, from the present weight; at weight 0 returns at once.
   void giveBack();
 
   /// Returns to the configured model at once.
   void end();
 
-  /// The published force from those of both models.
+  /// Returns the published force from those of both models.
   element::ComponentForce blend(const element::ComponentForce& configured, const element::ComponentForce& other) const;
 
  private:
@@ -80,7 +83,7 @@ class CrossFade {
   std::int64_t last_ = std::numeric_limits<std::int64_t>::min();
 };
 
-/// The two errors in words, as RMS.
+/// Returns a sentence with the RMS of both errors.
 std::string describeErrors(const PairedErrors& errors);
 
 }  // namespace rubber_suspension::node

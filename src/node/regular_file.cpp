@@ -1,4 +1,4 @@
-// Files that a parameter names: regular ones only.
+// Files that a parameter names, which must be regular files.
 #include "node/regular_file.h"
 
 #include <fcntl.h>
@@ -33,7 +33,7 @@ void requireRegular(const std::string& path, Type type) {
   }
 }
 
-// `seen`: the path itself, or another by which the same file is reached.
+// Returns the type of the file at `seen`, which is `path` or another path to the same file; errors name `path`.
 Type typeOf(const std::string& path, const std::string& seen) {
   std::error_code error;
   const Type type = status(std::filesystem::path(seen), error).type();

@@ -1,4 +1,5 @@
-// Files that a parameter names: regular ones only, so that no device, pipe or endless stream is read or replaced.
+// Files that a parameter names, which must be regular files, so that no device, pipe or endless stream is read or
+// replaced.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +14,14 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws FileError unless the path is that of a regular file, or of a link to one.
+/// Throws FileError unless the path leads to a regular file, directly or by a link.
 void requireRegularFile(const std::string& path);
 
-/// The content of a regular file of at most `most` bytes; a symbolic link is not followed. Throws FileError.
+/// Returns the content of a regular file of at most `most` bytes. Throws FileError, also for a symbolic link.
 std::string readRegularFile(const std::string& path, std::size_t most);
 
-/// Replaces a regular file, or writes a new one, atomically even if the power fails. Throws FileError, also where the
-/// path is a symbolic link.
+/// Replaces a regular file, or writes a new one, atomically even if the power fails. Throws FileError, also for a
+/// symbolic link.
 void replaceRegularFile(const std::string& path, const std::string& text);
 
 }  // namespace rubber_suspension::node

@@ -1,4 +1,4 @@
-// Notices samples that were sent but never arrived, by the sequence number of each sender. Independent of ROS.
+// Detects samples that were sent but never arrived, by the sequence numbers of each sender. Independent of ROS.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace rubber_suspension::node {
 
-/// Follows the sequence numbers of all senders to one topic. `Sender` is a shared pointer that identifies a connection.
-/// It is stored, so that no later connection can have the address of one that has ended; those without another owner
-/// are dropped when a new one comes. Allocates only then.
+/// Follows the sequence numbers of all senders to one topic. `Sender` is a shared pointer that identifies a connection;
+/// it is stored, so that no later connection can have the address of an ended one. Pointers without another owner are
+/// dropped when a new sender appears; only then memory is allocated.
 template <class Sender>
 class SequenceWatch {
  public:
@@ -24,7 +24,7 @@ class SequenceWatch {
       return 0;
     }
     const std::uint32_t skipped = sequence - std::exchange(known->second.last, sequence) - 1;
-    // A sender whose numbers go back counts again from the start or in its own way: no loss is known.
+    // If the numbers go back, the sender has started again or counts differently, and no loss is known.
     return skipped < (1U << 31) ? skipped : 0;
   }
 

@@ -1,4 +1,4 @@
-// The file in which the node keeps the states of its components.
+// The file in which the node stores the states of its components.
 #include "node/state_file.h"
 
 #include <fmt/format.h>
@@ -59,7 +59,7 @@ std::invalid_argument wrong(const std::string& key, const json& value, const std
   return std::invalid_argument(fmt::format("{}: {}; accepted: {}", key, shown, accepted));
 }
 
-// The value of a key, which the library converts from no other type.
+// Returns the value of a key; throws if it has another type.
 template <class Value>
 Value valueOf(const std::string& key, const json& value, const std::string& accepted) {
   try {
@@ -96,7 +96,7 @@ element::ElementDescription elementOf(const json& entry) {
 bool isWeightOf(RunStage stage, double weight) {
   const double least = stage == RunStage::promoted ? 1.0 : 0.0;
   const double most = stage == RunStage::shadow ? 0.0 : 1.0;
-  return stage != RunStage::configured && weight >= least && weight <= most;  // configured: no model is beside
+  return stage != RunStage::configured && weight >= least && weight <= most;  // configured: there is no second model
 }
 
 // The hash checks that the description is the one that was saved.
@@ -127,7 +127,7 @@ SavedState stateOf(const json& entry) {
   return state;
 }
 
-// Parser and destructor recurse for each bracket without a limit.
+// The parser and the destructor of the JSON library recurse for each bracket, without a limit.
 bool refuseDeepNesting(int depth, json::parse_event_t /*event*/, const json& /*parsed*/) {
   element::refuseIf(depth >= kDeepestStateFile, "nested deeper than {} brackets", kDeepestStateFile);
   return true;

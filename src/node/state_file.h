@@ -1,5 +1,4 @@
-// The file in which the node keeps the states of its components, so that it can continue where it stopped. Independent
-// of ROS.
+// The file in which the node stores the states of its components, to continue from them later. Independent of ROS.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +11,19 @@
 namespace rubber_suspension::node {
 
 constexpr std::size_t kLargestStateFile = 32 * 1024 * 1024;  ///< bytes
-constexpr int kDeepestStateFile = 8;                         ///< brackets within each other; a state needs 6
+constexpr int kDeepestStateFile = 8;                         ///< nested brackets; a state needs 6
 
-/// All states as text, every number to its last bit.
+/// Returns all states as text, which preserves every number to the last bit.
 std::string stateText(const std::vector<SavedState>& states);
 
-/// Parses the states of such a text. Throws FileError, also for a repeated component and for a stamp that no message
-/// can have; `source` names the text in what().
+/// Parses such a text. Throws FileError, which names the text as `source`, also for a repeated component and for a
+/// stamp that no message can have.
 std::vector<SavedState> parseStates(const std::string& text, const std::string& source);
 
 /// Writes all states as replaceRegularFile() does. Throws FileError.
 void writeStateFile(const std::string& path, const std::vector<SavedState>& states);
 
-/// Reads a file of writeStateFile(). Throws FileError.
+/// Reads a file that writeStateFile() has written. Throws FileError.
 std::vector<SavedState> readStateFile(const std::string& path);
 
 }  // namespace rubber_suspension::node

@@ -1,4 +1,4 @@
-// Temperatures with their own stamps, for the samples from those stamps on. Independent of ROS.
+// Temperatures with their own stamps, which apply to the samples from these stamps on. Independent of ROS.
 #pragma once
 
 #include <boost/circular_buffer.hpp>
@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::node {
 
-/// Each temperature applies from its stamp to that of the next; a late one, from the next sample on. For one thread.
-/// Allocates once, with the first temperature.
+/// Each temperature applies from its stamp to that of the next; a late one applies from the next sample on. Not
+/// thread-safe. Allocates once, with the first temperature.
 class TemperatureFeed {
  public:
-  static constexpr std::size_t kMostWaiting = 1024;  ///< ahead of their samples; beyond, the oldest is dropped
+  static constexpr std::size_t kMostWaiting = 1024;  ///< ahead of their samples; then the oldest is dropped
 
-  /// A stamp [ns] before the newest one begins a new replay and discards the waiting temperatures.
+  /// Adds a temperature [degC]. A stamp [ns] before the newest begins a new replay and discards those that wait.
   void add(std::int64_t stamp, double temperature) {
     if (waiting_.capacity() == 0) {
       waiting_.set_capacity(kMostWaiting);
@@ -25,7 +25,7 @@ class TemperatureFeed {
     waiting_.push_back({stamp, temperature});
   }
 
-  /// The temperature [degC] of a sample with this stamp [ns], if it is another than that of the sample before.
+  /// Returns the temperature [degC] at the stamp of a sample [ns] if it has changed since the sample before.
   std::optional<double> take(std::int64_t stamp) {
     bool changed = false;
     while (!waiting_.empty() && waiting_.front().stamp <= stamp) {
@@ -36,7 +36,7 @@ class TemperatureFeed {
     return changed ? current_ : std::nullopt;
   }
 
-  /// Temperature of the last sample, if it had one.
+  /// Returns the temperature [degC] at the last sample, if there was one.
   const std::optional<double>& current() const { return current_; }
 
  private:

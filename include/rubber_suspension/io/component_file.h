@@ -49,7 +49,7 @@ class ComponentDescription {
   /// Tolerance of the values of `elements`; the tolerance of an entry, such as "spring[0]", takes precedence.
   estimation::SheetTolerance tolerance;
   bool holds_fluid = false;  ///< true: a resonance in its force is attributed to the fluid, not to the fixture
-  /// Unit that the file uses for quantities with a given SI unit; the first one if there are several.
+  /// Units in the file, by SI unit; the first one if the file uses several.
   std::map<std::string, std::string> units;
   /// Set for a component of six directions, whose only other member in use is the name; otherwise nullptr.
   std::shared_ptr<const SixDirectionsDescription> six;

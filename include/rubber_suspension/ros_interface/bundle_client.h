@@ -22,27 +22,27 @@ class BundleError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Sends and receives in the calling thread, with a callback queue of its own. Several messages may be under way.
+/// Sends and receives in the calling thread, with a callback queue of its own. Several messages may be unanswered.
 template <class Bundle, class Sample, class Answer>
 class BundleClientOf {
  public:
-  static constexpr double kPatience = 30.0;  ///< [s]
+  static constexpr double kPatience = 30.0;  ///< default timeout [s]
 
   /// `timeout` [s] bounds every wait.
   BundleClientOf(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout = kPatience);
 
-  /// Waits until nothing that is sent or answered can be lost. Throws BundleError.
+  /// Waits until both topics are connected, so that no message is lost. Throws BundleError.
   void connect();
 
   /// Calls a service of type std_srvs/Trigger of the node, such as simulate/reset. Throws BundleError.
   void call(const std::string& service);
 
-  /// Sends the displacements [m] or poses [m], in the order of the components, at a stamp [ns]. Stamps have to
-  /// increase, and to lie within what a ROS header can hold (0 to 2^32 s).
+  /// Sends the displacements [m] or poses [m], in the order of the components, at a stamp [ns]. Stamps must increase
+  /// and lie within the range of a ROS header (0 to 2^32 s).
   void send(std::int64_t stamp, const std::vector<Sample>& samples);
 
-  /// Waits for the answer to the message of a stamp that was sent; answers to earlier ones are discarded.
-  /// Throws BundleError where it does not come in time, or where not every component has an answer in it.
+  /// Returns the answer to the message that was sent with this stamp [ns]; answers to earlier messages are discarded.
+  /// Throws BundleError if no answer comes in time, or if it lacks a component.
   Answer receive(std::int64_t stamp);
 
  private:
@@ -55,10 +55,10 @@ class BundleClientOf {
   ros::Subscriber subscriber_;
 };
 
-/// Displacements to forces.
+/// Sends displacements of components of one direction and receives forces.
 using BundleClient = BundleClientOf<DisplacementArray, double, ForceArray>;
 
-/// Poses of B in A to wrenches on B, of components of six directions.
+/// Sends poses of B in A, of components of six directions, and receives wrenches on B.
 using PoseClient = BundleClientOf<PoseArray, geometry_msgs::Pose, WrenchArray>;
 
 }  // namespace rubber_suspension::ros_interface
