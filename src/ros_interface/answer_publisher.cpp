@@ -1,4 +1,4 @@
-// A publisher that loses no burst and counts what slow subscribers lose.
+// A publisher that does not lose bursts and counts messages lost by slow subscribers.
 #include "ros_interface/answer_publisher.h"
 
 #include <ros/init.h>
@@ -19,9 +19,9 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Where roscpp's network thread has handed over all that was published; one for the process. That thread goes round
-/// and round: it first hands all messages that were published to the subscribers, where each queue that is full loses
-/// its oldest, then it reads and writes the sockets.
+/// Follows the turns of roscpp's network thread; one object per process. In each turn the thread first passes all
+/// published messages to the queues of the subscribers, where a full queue drops its oldest message, and then reads and
+/// writes the sockets.
 class NetworkTurns {
  public:
   static std::shared_ptr<NetworkTurns> get() {
@@ -35,25 +35,25 @@ class NetworkTurns {
     return result;
   }
 
-  // roscpp's own listener, which hands over, was there before and is called before.
+  // roscpp's own listener, which passes the messages on, was added earlier and is called first.
   NetworkTurns() : listener_(ros::PollManager::instance()->addPollThreadListener([this] { end(); })) {}
   ~NetworkTurns() { ros::PollManager::instance()->removePollThreadListener(listener_); }
 
-  // By the network thread.
+  // Called by the network thread.
   void add(const boost::shared_ptr<AnswerLink>& link) { links_.push_back(link); }
 
  private:
   void end();
 
-  std::vector<boost::shared_ptr<AnswerLink>> links_;  // of this turn
+  std::vector<boost::shared_ptr<AnswerLink>> links_;  // with messages in this turn
   boost::signals2::connection listener_;
 };
 
-/// Stands first among the subscribers of a topic, sees each message before the others, and wants none.
+/// The first subscriber of a topic: observes each message before the others, and receives none.
 class AnswerLink : public ros::SubscriberLink {
  public:
   AnswerLink(const ros::PublicationPtr& publication, std::uint32_t queue_size)
-      // Half of a queue at most in one turn: a subscriber whose queue is empty then has room for two.
+      // At most half of a queue in one turn, so that an empty queue has room for two turns.
       : most_ahead_(queue_size / 2), losses_(queue_size) {
     parent_ = publication;
     topic_ = publication->getName();
@@ -69,15 +69,16 @@ class AnswerLink : public ros::SubscriberLink {
     ++handed_over_;
   }
 
-  // By the network thread. No socket has been written since the message was handed over.
+  // Called by the network thread. No socket was written since the last message, so only a full queue can have freed
+  // one.
   void endTurn() {
     undelivered += losses_.end() ? 1 : 0;
     in_turn_ = false;
     wake();
   }
 
-  // Waits until the network thread has taken over enough of what was published, as long as it runs. Nothing announces
-  // that it ends, so that the wait looks for it.
+  // Waits until the network thread has passed on enough messages or ends. Its end is not signalled, so the wait polls
+  // for it.
   void waitForRoom() {
     constexpr std::chrono::milliseconds kLook(10);
     const auto may_go_on = [&] { return published - handed_over_ < most_ahead_ || stopped_ || ros::isShuttingDown(); };
@@ -104,7 +105,7 @@ class AnswerLink : public ros::SubscriberLink {
   std::atomic<std::uint64_t> undelivered{0};
 
  private:
-  // The lock keeps the change from falling between a look at it and the wait for it.
+  // The lock prevents a change between the check of the condition and the wait.
   void wake() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -118,18 +119,19 @@ class AnswerLink : public ros::SubscriberLink {
   std::atomic<bool> stopped_{false};
   std::mutex mutex_;
   std::condition_variable room_;
-  node::LossCount losses_;  // of the network thread only
+  node::LossCount losses_;  // used by the network thread only
   bool in_turn_ = false;    // likewise
 };
 
 void NetworkTurns::end() {
-  const auto links = std::exchange(links_, {});  // the last of them may take this object with it
+  const auto links = std::exchange(links_, {});  // the destructor of the last one may destroy this object
   for (const auto& link : links) {
     link->endTurn();
   }
 }
 
-// A subscriber that was there before the link, which would not see what it loses, comes again.
+// A subscriber that connects before the link is added receives messages before it, so that its losses are not seen.
+// Then the topic is advertised again, so that the subscriber connects again.
 void AnswerPublisher::advertise(ros::NodeHandle& handle, ros::AdvertiseOptions& options) {
   int attempts = 0;
   do {
@@ -144,7 +146,7 @@ void AnswerPublisher::advertise(ros::NodeHandle& handle, ros::AdvertiseOptions& 
 void AnswerPublisher::send(const boost::function<ros::SerializedMessage()>& serialized,
                            ros::SerializedMessage& unserialized) {
   if (publication_->getNumSubscribers() <= 1) {
-    publication_->incrementSequence();  // as roscpp does for a message that nobody is there for
+    publication_->incrementSequence();  // as roscpp does for a message without subscribers
     return;
   }
   link_->waitForRoom();

@@ -1,5 +1,5 @@
-// A publisher that loses no burst, and that knows how many messages were lost to subscribers that read too slowly:
-// roscpp's own drops them, and says nothing.
+// A publisher that does not lose bursts and counts messages lost by slow subscribers; roscpp's own publisher drops them
+// silently.
 #pragma once
 
 #include <ros/advertise_options.h>
@@ -13,8 +13,8 @@ namespace rubber_suspension::ros_interface {
 
 class AnswerLink;
 
-/// Publishes from one thread, any one. A burst waits here for roscpp's network thread to take it over, instead of
-/// running over what may wait for a subscriber: one that reads what it is sent gets every message.
+/// Publishes from one thread at a time. A burst waits here for roscpp's network thread instead of overrunning the queue
+/// of a subscriber, so that a subscriber that keeps reading receives every message.
 class AnswerPublisher {
  public:
   AnswerPublisher() = default;
@@ -22,7 +22,8 @@ class AnswerPublisher {
   AnswerPublisher(const AnswerPublisher&) = delete;
   AnswerPublisher& operator=(const AnswerPublisher&) = delete;
 
-  /// `queue_size`: messages that may wait for each subscriber before its oldest is lost, at least 2.
+  /// Advertises a topic. `queue_size`: messages that may wait for each subscriber before the oldest is lost, at
+  /// least 2.
   template <class Message>
   void advertise(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size) {
     ros::AdvertiseOptions options;
@@ -30,7 +31,7 @@ class AnswerPublisher {
     advertise(handle, options);
   }
 
-  /// The message must not be changed any more while others hold it.
+  /// Publishes a message, which must not be changed while others hold it.
   template <class Message>
   void publish(const boost::shared_ptr<Message>& message) {
     ros::SerializedMessage unserialized;  // for subscribers in this process
@@ -39,8 +40,8 @@ class AnswerPublisher {
     send([&message] { return ros::serialization::serializeMessage(*message); }, unserialized);
   }
 
-  /// Messages that at least one subscriber did not get because too many were waiting for it. Those that a subscriber
-  /// did not read before it went are not among them.
+  /// Returns the number of messages that at least one subscriber lost because its queue was full. Messages that a
+  /// subscriber had not read when it left are not counted.
   std::uint64_t undelivered() const;
 
   void shutdown();

@@ -22,11 +22,11 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// True if these bytes are a message of the topic.
+/// Check that returns true if the bytes are a message of the topic.
 using MessageCheck = std::function<bool(const std::uint8_t* data, std::size_t size)>;
 
-/// Decodes what passes the check and counts the rest. roscpp alone makes room for whatever number of entries a message
-/// claims to have, and writes a line of log for each that it cannot decode.
+/// Decodes messages that pass the check and counts the others. roscpp alone would allocate any number of entries that a
+/// message claims to have, and log a line for each message that it cannot decode.
 template <class Message>
 class CheckedCallback : public ros::SubscriptionCallbackHelperT<const ros::MessageEvent<const Message>&> {
  public:
@@ -48,21 +48,21 @@ class CheckedCallback : public ros::SubscriptionCallbackHelperT<const ros::Messa
   std::atomic<std::uint64_t>& refused_;
 };
 
-/// Answers in the thread that serves the handle's callback queue; never blocks and, once its messages are in use,
-/// allocates nothing of its own.
+/// Answers samples in the thread that serves the handle's callback queue. Allocates nothing of its own once its
+/// messages exist, and waits only while more answers than half a queue wait for the network thread.
 class AnsweringTopics {
  public:
-  /// Take no more samples.
+  /// Stops receiving samples.
   void shutdown() {
     subscribers_.clear();
     publisher_.shutdown();
   }
 
-  std::uint64_t undecodable() const { return undecodable_; }              ///< messages dropped that are none of a topic
-  std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< answers; see AnswerPublisher
+  std::uint64_t undecodable() const { return undecodable_; }  ///< dropped messages that are not of the topic's type
+  std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< lost answers; see AnswerPublisher
 
  protected:
-  /// Passes messages of the topic to `take`, without delay (TCP_NODELAY).
+  /// Passes messages of the topic to `take`. TCP sends them without delay (TCP_NODELAY).
   template <class Message>
   void subscribe(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size, MessageCheck check,
                  const boost::function<void(const ros::MessageEvent<const Message>&)>& take) {
@@ -73,8 +73,8 @@ class AnsweringTopics {
     subscribers_.push_back(handle.subscribe(options));
   }
 
-  /// The server has countLost(samples that were sent and did not arrive); answer(sample, message to fill), false if
-  /// there is none; countAnswered(message, latency [ns]).
+  /// Answers samples of the topic `in` on the topic `out`. The server provides countLost(number of samples that did not
+  /// arrive); answer(sample, message to fill), which returns false for no answer; countAnswered(message, latency [ns]).
   template <class Sample, class Answer, class Server>
   void serve(Server& server, ros::NodeHandle& handle, const std::string& in, std::uint32_t in_size, MessageCheck check,
              const std::string& out, std::uint32_t out_size) {
@@ -84,8 +84,8 @@ class AnsweringTopics {
                           const ros::MessageEvent<const Sample>& event) { answer(server, event, *pool); });
   }
 
-  /// Answers that may wait for a subscriber that reads slowly: more than what may wait on the input, so that what has
-  /// been accepted is not lost on its way out.
+  /// Returns how many answers may wait for a slow subscriber: more than samples may wait on the input, so that the
+  /// answers to accepted samples are not lost.
   static std::uint32_t answerQueueSize(int queue_size) {
     constexpr std::uint32_t kFewest = 40000;
     return std::max(kFewest, 4 * static_cast<std::uint32_t>(queue_size));
@@ -108,8 +108,8 @@ class AnsweringTopics {
     }
   }
 
-  // ROS stamps arrivals with ros::Time, which stands for real time only while no simulated time is in use; then what is
-  // known is the time since the message's callback began [ns].
+  // Returns the time since the arrival of a message [ns]. ROS stamps arrivals with ros::Time, which may be simulated;
+  // then the time since the start of the callback is returned.
   static std::int64_t sinceArrival(const ros::Time& receipt, Clock::time_point callback) {
     return ros::Time::isSystemTime()
                ? std::max<std::int64_t>(0, (ros::Time::now() - receipt).toNSec())

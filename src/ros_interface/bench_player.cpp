@@ -12,8 +12,8 @@ namespace rubber_suspension::ros_interface {
 
 namespace {
 
-// Time from one pass of a looped playback to the next [ns]: that of the longest log and one of its sampling intervals,
-// the same for all components, so that they stay side by side.
+// Returns the time from one pass of a looped playback to the next [ns]: the duration of the longest log and one of its
+// sampling intervals. It is the same for all components, so that they remain synchronous.
 std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks) {
   std::int64_t longest = 0;
   for (const BenchTrack& track : tracks) {
@@ -50,7 +50,7 @@ void BenchPlayer::connect() {
 void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follow) {
   log::Log log = tracks_[track].log;
   for (std::int64_t& stamp : log.stamp) {
-    stamp += static_cast<std::int64_t>(pass) * period_;  // time continues, and the component stays the same
+    stamp += static_cast<std::int64_t>(pass) * period_;  // time continues, and the component keeps its state
   }
   std::optional<log::PoseLog>& poses = tracks_[track].poses;
   const PlayResult result = players_[track]->play(log, starts_[track], more_follow, poses ? &*poses : nullptr);
@@ -66,7 +66,7 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
   last_forces_[track] = result.totals();
   BenchCount& count = counts_[track];
   count.of += log.size();
-  // Once ROS is shut down nothing comes any more, so what was on its way then is no loss.
+  // After ROS was shut down no answer can come, so samples without an answer are not counted as lost.
   count.samples += ros::ok() ? result.sent : result.answered();
   count.answered += result.answered();
   for (const std::uint32_t answers : result.answers) {
@@ -78,7 +78,7 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
   count.complete = result.answered() == log.size();
 }
 
-// A thread per component; each player has a callback queue of its own.
+// Uses a thread per component; each player has a callback queue of its own.
 void BenchPlayer::playPass(std::size_t pass, bool more_follow) {
   std::vector<std::future<void>> others;
   for (std::size_t track = 1; track < tracks_.size(); ++track) {

@@ -1,4 +1,4 @@
-// Plays the logs of several components side by side through a running node, once or over and over, and records them.
+// Plays the logs of several components side by side through a running node, once or repeatedly, and records the forces.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -13,43 +13,43 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// The log that one component has to play, and where its forces go.
+/// The log of one component and the files for its records.
 struct BenchTrack {
   std::string component;
   log::Log log;
   RecordPaths paths;
-  std::optional<log::PoseLog> poses{};  ///< of six directions, played in place of displacements; the log has its stamps
-  std::string wrenches{};               ///< CSV file for the wrenches of the last pass; empty: not wanted
+  std::optional<log::PoseLog> poses{};  ///< of six directions, played instead of displacements
+  std::string wrenches{};               ///< CSV file for the wrenches of the last pass; empty: none
 };
 
-/// Sums over all passes of one component.
+/// Counts for one component, summed over all passes.
 struct BenchCount {
   std::string component;
-  std::size_t of = 0;          ///< samples of the logs that were to be played
-  std::size_t samples = 0;     ///< sent
-  std::size_t answered = 0;    ///< with at least one force
-  std::size_t repeated = 0;    ///< forces too many for a sample
+  std::size_t of = 0;          ///< samples that were to be played
+  std::size_t samples = 0;     ///< samples that were sent
+  std::size_t answered = 0;    ///< samples with at least one force
+  std::size_t repeated = 0;    ///< forces for a sample that had one already
   std::size_t unexpected = 0;  ///< forces with unexpected stamps
   std::size_t gaps = 0;        ///< messages of the live gap
   double duration = 0.0;       ///< [s], without the pauses between passes
-  bool complete = true;        ///< every pass was played to its end
+  bool complete = true;        ///< true if every sample of the last pass was answered
 
   bool exactlyOneEach() const { return answered == samples && repeated == 0 && unexpected == 0; }
 };
 
 class BenchPlayer {
  public:
-  /// `options` serve every component, but for its name. Opens the files; throws LogError.
+  /// Opens the files of the records. `options` apply to every component, except for its name. Throws LogError.
   BenchPlayer(const ros::NodeHandle& handle, const PlayOptions& options, std::vector<BenchTrack> tracks);
 
-  /// Wait for the node. Throws PlayError.
+  /// Waits for the node. Throws PlayError.
   void connect();
 
-  /// Play `passes` times, 0: until ROS is shut down. What was played is recorded however it ends. Throws what a player
-  /// or recorder throws.
+  /// Plays the logs `passes` times; 0: until ROS is shut down. A playback that ends early is recorded, too, unless it
+  /// ends by an exception of a player or recorder, which is passed on.
   std::vector<BenchCount> play(std::size_t passes);
 
-  /// The forces of a component in its last pass, of every sample of its log, answered or not [N].
+  /// Returns the forces of a component in its last pass [N], one for every sample of its log; 0 without an answer.
   const std::vector<double>& lastForces(std::size_t track) const { return last_forces_[track]; }
 
  private:
@@ -63,7 +63,7 @@ class BenchPlayer {
   std::vector<BenchCount> counts_;
   std::vector<std::vector<double>> last_forces_;
   std::int64_t period_ = 0;
-  std::vector<LogPlayer::Steady::time_point> starts_;  // of each component's next pass
+  std::vector<LogPlayer::Steady::time_point> starts_;  // start of each component's next pass
 };
 
 }  // namespace rubber_suspension::ros_interface

@@ -1,4 +1,4 @@
-// The other end of the bundled topics.
+// Client of the bundled topics.
 #include "rubber_suspension/ros_interface/bundle_client.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// All components in one message.
+// Server of the bundled topics.
 #include "ros_interface/bundle_server.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace {
 
 using Channels = std::vector<node::ComponentChannel*>;
 
-// The channel of the name at place i; without names, of that place. Senders name the components in the order of the
-// file, mostly: look there first.
+// Returns the channel with the i-th name, or the i-th channel if there are no names; nullptr if there is none. Most
+// senders name the components in the order of the file, so the i-th channel is tried first.
 node::ComponentChannel* channelOf(const std::vector<std::string>& names, std::size_t i, const Channels& channels) {
   if (names.empty() || (i < channels.size() && channels[i]->name() == names[i])) {
     return channels[i];
@@ -39,9 +39,10 @@ bool isWellFormed(const Bundle& bundle, const Channels& channels) {
   return true;
 }
 
-constexpr std::uint32_t kFewestBundles = 16;  // that may wait, unless the queue is shorter
+constexpr std::uint32_t kFewestBundles = 16;  // smallest number that may wait, unless the queue is shorter
 
-// Bundles are as long as there are components: fewer may wait than single samples where there are many.
+// Returns how many bundles may wait: fewer than single samples if their total size, which grows with the number of
+// components, would exceed a limit.
 std::uint32_t fewerOf(std::uint32_t queue_size, std::size_t components, std::size_t numbers) {
   constexpr std::size_t kMostBytes = 64 * 1024 * 1024;
   const std::size_t fitting = kMostBytes / node::longestBundle(components, numbers);
@@ -145,7 +146,7 @@ template <class Bundle, class Answer>
 bool BundleServer::answer(const Bundle& bundle, Answer& message) {
   const bool well_formed = answerBundle(bundle, group_, message);
   malformed_ += well_formed ? 0 : 1;
-  return well_formed && !message.components.empty();  // else every sample was dropped and counted by its component
+  return well_formed && !message.components.empty();  // otherwise every component dropped and counted its sample
 }
 
 template <class Answer>

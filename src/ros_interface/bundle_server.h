@@ -18,14 +18,13 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Answer a bundle: a force for every displacement, or a wrench for every pose, that its component accepts. False, and
-/// no component has seen anything, where the message is malformed: a name that no component has, or lists of unequal
-/// length. Nothing saves or changes all components meanwhile. Allocates nothing once `answer` has held as many
-/// components before.
+/// Answers a bundle: a force for every displacement, or a wrench for every pose, that its component accepts. Returns
+/// false, without effect on any component, if the message is malformed: an unknown name, or lists of unequal length.
+/// Operations on all components wait meanwhile. Allocates nothing if `answer` had as many components before.
 bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer);
 bool answerBundle(const PoseArray& bundle, const node::ChannelGroup& group, WrenchArray& answer);
 
-/// Serves the two topics by the same components as the single topics.
+/// Serves the two bundled topics by the components that also serve the single topics.
 class BundleServer : public AnsweringTopics {
  public:
   /// The group must outlive the server.

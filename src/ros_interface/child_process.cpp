@@ -1,4 +1,4 @@
-// Other programs that are started.
+// Child processes.
 #include "ros_interface/child_process.h"
 
 #include <fmt/format.h>

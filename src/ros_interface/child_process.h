@@ -1,4 +1,4 @@
-// Other programs that are started: a master and nodes by a benchmark and by tests.
+// Child processes, by which a benchmark and tests start a master and nodes.
 #pragma once
 
 #include <sys/types.h>
@@ -11,9 +11,9 @@ namespace rubber_suspension::ros_interface {
 /// A child process that ends with this object.
 class ChildProcess {
  public:
-  /// Start a program, found on PATH, with its arguments; no shell is involved. Throws std::runtime_error.
+  /// Starts a program, found on PATH, with its arguments, without a shell. Throws std::runtime_error.
   explicit ChildProcess(const std::vector<std::string>& command);
-  /// Asks the program to end (SIGINT), and kills it where it does not within some seconds.
+  /// Asks the program to end (SIGINT), and kills it if it does not end within 5 s.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -25,10 +25,10 @@ class ChildProcess {
   pid_t id_ = -1;
 };
 
-/// The path of another program that lies beside the running one.
+/// Returns the path of a program in the folder of the running one.
 std::string siblingProgram(const std::string& name);
 
-/// A TCP port on the loopback interface that nobody listens on. Throws std::runtime_error.
+/// Returns a free TCP port of the loopback interface. Throws std::runtime_error.
 int freePort();
 
 }  // namespace rubber_suspension::ros_interface

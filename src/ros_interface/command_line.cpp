@@ -1,4 +1,4 @@
-// Command lines of programs that are ROS nodes.
+// Command lines of ROS nodes.
 #include "ros_interface/command_line.h"
 
 #include <fmt/format.h>
@@ -32,20 +32,21 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Arguments of the process; empty in a nodelet.
+// Returns the arguments of the process; empty in a nodelet.
 std::vector<std::string>& processArguments() {
   static std::vector<std::string> arguments;
   return arguments;
 }
 
-// The name of the private parameter that an argument sets; empty for any other argument.
+// Returns the name of the private parameter that an argument sets; empty for any other argument.
 std::string privateParameterOf(const std::string& argument) {
   const std::size_t end = argument.find(":=");
   const bool is_private = end != std::string::npos && argument[0] == '_' && argument.compare(0, 2, "__") != 0;
   return is_private ? argument.substr(1, end - 1) : "";
 }
 
-// The address of the master, as roscpp finds it. roscpp itself would end the process where it is none.
+// Returns the address of the master by roscpp's rules. Throws for a malformed one, at which roscpp would end the
+// process.
 std::string masterUri(const std::vector<std::string>& arguments) {
   const std::string option = "__master:=";
   const char* const from_environment = std::getenv("ROS_MASTER_URI");
@@ -98,7 +99,8 @@ namespace {
 
 void requestEnd(int /*signal*/) { ros::requestShutdown(); }
 
-// roscpp ends in order at SIGINT alone; a service manager sends SIGTERM, a closed terminal SIGHUP, but for nohup.
+// roscpp handles only SIGINT, but a service manager sends SIGTERM and a closed terminal SIGHUP. A signal that is
+// ignored, as SIGHUP under nohup, remains ignored.
 void endLikeAtInterrupt() {
   for (const int number : {SIGTERM, SIGHUP}) {
     if (std::signal(number, requestEnd) == SIG_IGN) {
@@ -109,10 +111,10 @@ void endLikeAtInterrupt() {
 
 }  // namespace
 
-// roscpp waits for its master without a limit, and before a signal can end it.
+// roscpp alone would wait for the master without a limit, and signals could not end the wait.
 bool RosCommandLine::waitForMaster(double timeout) const {
   constexpr double kTurn = 1.0;      // [s]
-  constexpr double kPatience = 2.0;  // until it is said [s]
+  constexpr double kPatience = 2.0;  // until a message says so [s]
   const std::string uri = masterUri(all_);
   const auto begin = std::chrono::steady_clock::now();
   for (bool said = false; !isEnding();) {

@@ -1,4 +1,4 @@
-// Command lines of programs that are ROS nodes: what ROS takes (name:=value) and what the program's own parser gets.
+// Command lines of ROS nodes: arguments of ROS (name:=value) and arguments for the program's own parser.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@ class RosCommandLine {
   RosCommandLine(const RosCommandLine&) = delete;
   RosCommandLine& operator=(const RosCommandLine&) = delete;
 
-  /// The arguments that are left for the program, its name first.
+  /// Returns the number of arguments for the program, its name included.
   int argc() const { return static_cast<int>(pointers_.size()); }
   char** argv() { return pointers_.data(); }
 
-  /// Initialise ROS with the arguments meant for it and the options of ros::init_options, once the master answers;
-  /// false where the process is to end before. Throws std::runtime_error where the arguments or the master's address
-  /// are malformed, or no master answers within `timeout` [s].
+  /// Waits for the master and initialises ROS with its arguments and `options` (ros::init_options). Returns false if
+  /// the process is to end before. Throws std::runtime_error if the arguments or the master's address are malformed, or
+  /// no master answers within `timeout` [s].
   bool initialise(const std::string& node_name, std::uint32_t options = 0,
                   double timeout = std::numeric_limits<double>::infinity());
 
-  /// Take the private parameters that the arguments have set (_NAME:=VALUE) off the master again, where they would
-  /// otherwise hold for the next process of this name. The destructor does so, too, if the master still answers then.
+  /// Deletes the private parameters that the arguments have set (_NAME:=VALUE) from the master, where they would
+  /// otherwise apply to the next process of this name. The destructor does so, too, if the master still answers.
   void takeOffParameters();
 
  private:
@@ -39,7 +39,7 @@ class RosCommandLine {
   std::vector<char*> pointers_;
 };
 
-/// Where the value of a private parameter comes from: "the argument _NAME", say.
+/// Returns the source of a private parameter's value, such as "the argument _NAME".
 std::string originOfParameter(const std::string& name);
 
 }  // namespace rubber_suspension::ros_interface

@@ -1,5 +1,5 @@
-// Checks the forces of a bench: a log goes in over the topics, its forces are compared with a reference; and the report
-// of it in the XML format of GoogleTest, which rostest and rosunit read.
+// Comparison of the forces of a bench with a reference, and its report in the XML format of GoogleTest, which rostest
+// and rosunit read.
 #pragma once
 
 #include <optional>
@@ -14,34 +14,35 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// One thing that was checked.
+/// Result of one check.
 struct TestCase {
   std::string name;  ///< one word
   bool passed = false;
-  std::string message;    ///< what was found, with the figure; the reason where it failed
+  std::string message;    ///< the result with its numbers, or the reason of a failure
   double duration = 0.0;  ///< [s]
 };
 
-/// The report of one suite as XML.
+/// Returns the report of one suite as XML.
 std::string testReportXml(const std::string& suite, const std::vector<TestCase>& cases);
 
-/// The path in an option of the form that rostest hands to its tests, `xml:PATH`.
-/// Throws std::invalid_argument that says what is accepted.
+/// Returns the path in an option of the form that rostest passes to its tests, `xml:PATH`. Throws
+/// std::invalid_argument, which states what is accepted.
 std::string testReportPath(const std::string& gtest_output);
 
-/// Write the report. Throws std::runtime_error.
+/// Writes the report. Throws std::runtime_error.
 void writeTestReport(const std::string& path, const std::string& suite, const std::vector<TestCase>& cases);
 
-/// The reference, for messages: "the force measured in track.csv".
+/// A reference force with its name in messages, such as "the force measured in track.csv".
 struct ForceReference {
   std::string name;
   std::vector<double> force;  ///< [N], one per sample
 };
 
-/// The force that the log has measured. Throws std::invalid_argument where it has none.
+/// Returns the measured force of the log. Throws std::invalid_argument if it has none.
 ForceReference measuredReference(const log::Log& log);
 
-/// The force that a component file gives for the log, offline; a new component. Throws as simulateLog does.
+/// Returns the force that a new component of a component file has for the log, simulated offline. Throws as
+/// simulateLog() does.
 ForceReference simulatedReference(const component::Component& component, const log::Log& log,
                                   const std::string& config);
 
@@ -53,11 +54,11 @@ TestCase checkAnswers(const std::string& component, const log::Log& log, const P
 std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceReference& reference,
                                             const PlayResult& result, double skip);
 
-/// Checks that the gap to the reference is at most `tolerance`. A force that is missing or not finite fails.
+/// Checks that the gap to the reference is at most `tolerance`. Fails if a force is missing or not finite.
 TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result,
                      const std::optional<gap::Agreement>& agreement, double tolerance);
 
-/// Forces of bench and reference over time and displacement, and their difference. Every sample has to have its force.
+/// Returns a figure of both forces over time and displacement, and of their difference. Every sample must have a force.
 io::Figure forceFigure(const std::string& component, const log::Log& log, const ForceReference& reference,
                        const PlayResult& result);
 

@@ -1,4 +1,4 @@
-// The live diagnosis as the node knows it: loaded where it is asked for, since nothing else in the node needs its fits.
+// Interface of the live diagnosis, which the node loads on request, because nothing else in the node needs its fits.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -12,27 +12,28 @@
 namespace rubber_suspension::ros_interface {
 
 struct LiveDiagnoserSettings {
-  int memory = 300000;  ///< samples with a measured force that are kept per component
+  int memory = 300000;  ///< samples with a measured force that are stored per component
   int nice = 19;        ///< niceness of the thread
 };
 
-/// Looks at the samples that the channels keep, in a thread of its own. Nothing waits for it.
+/// Diagnoses the samples that the channels store, in a thread of its own, for which no other thread waits.
 class LiveDiagnoser {
  public:
   virtual ~LiveDiagnoser() = default;
 
-  /// End the thread: a look that runs is cancelled. What was found last can still be asked for.
+  /// Ends the thread and cancels a running diagnosis. The last findings remain available.
   virtual void stop() = 0;
 
-  /// The model that closes what was found of a component. Throws std::invalid_argument that says why there is none.
+  /// Returns the model with the effects found in a component. Throws std::invalid_argument, which states why there is
+  /// none.
   virtual io::ComponentDescription found(const std::string& component) const = 0;
 
-  /// The findings on a component, as of the last round of the thread.
+  /// Writes the findings on a component, as of the last turn of the thread.
   virtual void fillStatus(const std::string& component, diagnostic_updater::DiagnosticStatusWrapper& status) const = 0;
 };
 
-/// The function of that name in the library of the diagnosis; the channels must outlive what it makes. Throws
-/// std::invalid_argument where a component has no solution.
+/// Type of the function kLiveDiagnoserMaker in the library of the diagnosis. The channels must outlive the object that
+/// it returns. Throws std::invalid_argument if a component has no solution.
 using MakeLiveDiagnoser = LiveDiagnoser*(ros::NodeHandle&, const std::vector<node::ComponentChannel*>&,
                                          const LiveDiagnoserSettings&);
 constexpr const char* kLiveDiagnoserMaker = "rubber_suspension_make_live_diagnoser";

@@ -34,7 +34,7 @@ std::chrono::steady_clock::duration toDuration(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-// The numbers of an answer: a force and its parts, or a wrench.
+// Returns the numbers of an answer: a force and its parts, or a wrench.
 std::array<double, 6> numbersOf(const Force& answer) {
   return {answer.force, answer.elastic, answer.viscous, answer.friction};
 }
@@ -100,16 +100,16 @@ bool LogPlayer::isConnected(double patience) {
          hearsMeasured(patience);
 }
 
-// A node that answers displacements need not want measured forces, but where it does the first are not to be lost.
+// Waits for subscribers of the measured force, so that they do not lose the first messages. A node may have none.
 bool LogPlayer::hearsMeasured(double patience) {
-  constexpr double kUnasked = 2.0;  // [s]; the node subscribes to it right behind the displacement
+  constexpr double kUnasked = 2.0;  // [s]; the node subscribes to it right after the displacement
   const bool needed = options_.record_gap || options_.listeners > 0;
   const bool heard = waitFor(queue_, needed ? patience : std::min(patience, kUnasked),
                              [this] { return measured_force_publisher_.getNumSubscribers() > options_.listeners; });
   return heard || (!needed && ros::ok());
 }
 
-// A node that is up and serves other components will not come to serve this one.
+// Throws if a running node serves other components but not this one, because waiting for it would be of no use.
 void LogPlayer::requireServed() const {
   std::vector<std::string> served = servedComponents(handle_.resolveName("forces"));
   if (served.empty() ||
@@ -130,7 +130,7 @@ void LogPlayer::connect() {
     if (waited >= options_.connect_timeout || !ros::ok()) {
       throw PlayError(fmt::format("no node serves {} within {:.3g} s", displacement_publisher_.getTopic(), waited));
     }
-    if (waited >= kPatienceWithOthers) {  // another node, with this component, may be about to start
+    if (waited >= kPatienceWithOthers) {  // until then, another node with this component may start
       requireServed();
     }
     if (waited > 0.0) {
@@ -186,8 +186,8 @@ bool LogPlayer::maySend() const {
   return result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && !held;
 }
 
-// Two topics have no order, but temperatures their stamps: they are sent well before the samples that they hold for,
-// and no more of them than the node keeps.
+// Messages of two topics may arrive in any order, so temperatures are sent well before the samples to which they apply,
+// but not more of them than the node stores.
 void LogPlayer::announceTemperatures() {
   constexpr std::size_t kAhead = 512;
   const auto next = std::lower_bound(temperature_changes_.begin(), temperature_changes_.end(), result_.sent);
@@ -201,10 +201,10 @@ void LogPlayer::announceTemperatures() {
   }
 }
 
-// The first ones have to be there before the first sample.
+// Sends the first temperatures, which must arrive before the first sample.
 void LogPlayer::startTemperatures() {
   constexpr double kPatience = 5.0;  // [s]
-  constexpr double kArrival = 0.2;   // [s], a multiple of what a message takes
+  constexpr double kArrival = 0.2;   // [s], many times the transfer time of a message
   temperature_changes_.clear();
   announced_ = 0;
   for (std::size_t i = 0; i < log_->temperature.size(); ++i) {
@@ -255,7 +255,7 @@ void LogPlayer::sendPose(std::size_t sample) {
   }
 }
 
-// While the playback is held or stepped, time stands still: the next sample is due at once, whenever it continues.
+// While the playback is paused or stepped, its time stands still, so that the next sample is due when it continues.
 void LogPlayer::sendWhatIsDue(io::Progress& progress) {
   const bool stepping = options_.control != nullptr && !options_.control->running();
   if (stepping && result_.sent < log_->size()) {
@@ -268,9 +268,9 @@ void LogPlayer::sendWhatIsDue(io::Progress& progress) {
   }
 }
 
-// Take answers until the next sample is due; false where they stay away for too long.
+// Receives answers until the next sample is due. Returns false after `answer_timeout` without an answer.
 bool LogPlayer::waitForAnswers() {
-  constexpr double kLongestWait = 0.05;  // [s], after which shut-down and control are looked at again
+  constexpr double kLongestWait = 0.05;  // [s], until shutdown and control are checked again
   const bool waits_for_answer = result_.sent > answered_;
   queue_.callAvailable(ros::WallDuration(maySend() ? std::clamp(untilDue(), 0.0, kLongestWait) : kLongestWait));
   const auto now = Steady::now();
@@ -286,10 +286,10 @@ bool LogPlayer::waitForAnswers() {
   return waited <= options_.answer_timeout;
 }
 
-// Answers to one sample too many would follow at once. The node measures the gap once per second; what it measured last
-// covers the last sample.
+// Waits for surplus answers, which would follow at once, and for the gap up to the last sample, which the node measures
+// once per second.
 void LogPlayer::waitForLast() {
-  constexpr double kLinger = 0.2;     // [s], a multiple of a round trip
+  constexpr double kLinger = 0.2;     // [s], many times a round trip
   constexpr double kPatience = 10.0;  // [s]
   waitFor(queue_, kLinger, [] { return false; });
   if (options_.record_gap && !log_->force.empty()) {

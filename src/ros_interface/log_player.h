@@ -26,32 +26,32 @@ namespace rubber_suspension::ros_interface {
 struct PlayOptions {
   std::string component;
   double rate = 0.0;               ///< multiple of the log's own speed; 0: as fast as answers come
-  std::size_t in_flight = 100;     ///< samples sent and not yet answered, at most
-  std::size_t listeners = 0;       ///< nodes to wait for that listen to the measured force besides the one that serves
-  double connect_timeout = 300.0;  ///< to wait for the node and the listeners [s]; a starved machine starts slowly
-  double answer_timeout = 60.0;    ///< to wait for an answer [s]
+  std::size_t in_flight = 100;     ///< largest number of samples that are sent but not yet answered
+  std::size_t listeners = 0;       ///< subscribers of the measured force to wait for, besides the serving node
+  double connect_timeout = 300.0;  ///< longest wait for the node and the listeners [s]; a busy machine starts slowly
+  double answer_timeout = 60.0;    ///< longest wait for an answer [s]
   bool record_gap = false;         ///< collect the live gap, too
-  std::optional<component::RotationMeasure> rotation;  ///< logs of poses are played, their rotation in this measure
+  std::optional<component::RotationMeasure> rotation;  ///< of logs of poses; nullopt: displacements
   bool show_progress = true;                           ///< on a terminal
-  PlayControl* control = nullptr;                      ///< holds and steps the playback; has to outlive the player
-  std::function<void(const std::string&)> notify = [](const std::string&) {};  ///< told what is being waited for
+  PlayControl* control = nullptr;                      ///< pauses and steps the playback; must outlive the player
+  std::function<void(const std::string&)> notify = [](const std::string&) {};  ///< receives messages while waiting
 };
 
-/// The forces that came back. The vectors have one entry per sample of the log.
+/// The received forces. `force`, `wrench` and `answers` have one entry per sample of the log.
 struct PlayResult {
   std::vector<element::ComponentForce> force;  ///< the first answer to each sample
-  std::array<std::vector<double>, 6> wrench;   ///< the same of poses [N, N m]
-  std::vector<std::uint32_t> answers;          ///< how many forces each sample had
+  std::array<std::vector<double>, 6> wrench;   ///< likewise for poses [N, N m]
+  std::vector<std::uint32_t> answers;          ///< number of forces of each sample
   std::size_t sent = 0;
-  std::int64_t shift = 0;                ///< from the log's stamps to those of the headers [ns]
-  std::size_t unexpected = 0;            ///< forces whose stamp is that of no sample sent
+  std::int64_t shift = 0;                ///< difference of the headers' stamps and those of the log [ns]
+  std::size_t unexpected = 0;            ///< forces without a sent sample of the same stamp
   std::vector<GapConstPtr> gaps;         ///< the live gap, in the order of arrival
-  std::vector<std::int64_t> gap_stamps;  ///< of them, as stamps of the log [ns]
+  std::vector<std::int64_t> gap_stamps;  ///< stamps of `gaps` in the time of the log [ns]
   double duration = 0.0;                 ///< from the first sample to the last answer [s]
 
   std::size_t answered() const;        ///< samples with at least one force
-  bool exactlyOneEach() const;         ///< every sample of the log had one force, and none came besides
-  std::vector<double> totals() const;  ///< of the forces [N]
+  bool exactlyOneEach() const;         ///< true if every sample has one force and none was unexpected
+  std::vector<double> totals() const;  ///< total force of each sample [N]
 };
 
 /// No node serves the component, or it stopped answering.
@@ -67,18 +67,18 @@ class LogPlayer {
 
   using Steady = std::chrono::steady_clock;
 
-  /// Wait for the node; throws PlayError, which lists the components of a node that serves others and not this one, as
-  /// after a slip of the name. play() does it too.
+  /// Waits for the node; play() does so, too. Throws PlayError, which lists the components of a running node that does
+  /// not serve this one.
   void connect();
 
-  /// Play a log that checkLog accepts, its first sample at `start`, without one at once. Samples that stay without
-  /// answer are in the result; it ends early where ROS is shut down. Unless more logs follow, wait for what may come
-  /// after the last answer: a force too many, and the gap up to the last sample. Throws PlayError. Plays a log; for
-  /// poses it has stamps and temperatures, and `poses` the rest.
+  /// Plays a log that checkLog() accepts, with its first sample at `start` (default: now). With `poses`, the log only
+  /// provides stamps and temperatures. Ends early if ROS is shut down or answers fail to come; the result then has
+  /// samples without an answer. Unless more logs follow, waits for surplus forces and for the gap up to the last
+  /// sample. Throws PlayError.
   PlayResult play(const log::Log& log, Steady::time_point start = {}, bool more_follow = false,
                   const log::PoseLog* poses = nullptr);
 
-  /// When the first sample of the last log was due; later by the time that the playback was held.
+  /// Returns when the first sample of the last log was due, plus the time for which the playback was paused.
   Steady::time_point start() const { return start_; }
 
  private:
@@ -108,18 +108,18 @@ class LogPlayer {
   ros::Subscriber subscriber_;
   ros::Subscriber gap_subscriber_;
   bool connected_ = false;
-  bool goes_on_ = false;  // the last log is to be followed by another, in the same time
+  bool goes_on_ = false;  // true if another log follows, which continues the time of the last
 
   const log::Log* log_ = nullptr;
   const log::PoseLog* poses_ = nullptr;
   std::int64_t shift_ = 0;
   PlayResult result_;
-  std::optional<std::size_t> not_finite_;  // the first sample whose answer is not
+  std::optional<std::size_t> not_finite_;  // first sample whose answer is not finite
   std::size_t answered_ = 0;
-  std::size_t stepped_ = 0;                       // samples sent by step, in all plays
-  std::vector<std::size_t> temperature_changes_;  // samples of the log from which on another one holds
-  std::size_t announced_ = 0;                     // of these changes
-  Steady::time_point start_;                      // when the first sample was due, or would have been without pauses
+  std::size_t stepped_ = 0;                       // samples sent by steps, in all plays
+  std::vector<std::size_t> temperature_changes_;  // samples of the log at which the temperature changes
+  std::size_t announced_ = 0;                     // number of these changes that were sent
+  Steady::time_point start_;                      // as start() returns it
   Steady::time_point last_answer_;
   Steady::time_point last_note_;
 };

@@ -1,4 +1,4 @@
-// The master, where roscpp's own calls of it do not end.
+// Calls of the master with time limits.
 #include "ros_interface/master.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include <chrono>
 #include <utility>
 
-// roscpp has it, and ros::init() calls it, but no header tells.
+// This function of roscpp, which ros::init() calls, is not declared in any header.
 namespace ros::master {
 void init(const M_string& remappings);
 }
@@ -30,11 +30,11 @@ class Client : public XmlRpc::XmlRpcClient {
   using XmlRpcClient::XmlRpcClient;
   ~Client() override { close(); }
 
-  // Returns true if an answer came that is no fault.
+  // Returns true if an answer came that is not a fault.
   bool callWithin(double limit, const std::string& method, const XmlRpcValue& arguments, XmlRpcValue& answer,
                   const std::atomic<bool>* stop) {
     using Clock = std::chrono::steady_clock;
-    constexpr double kTurn = 0.05;  // how long `stop` may go unseen [s]
+    constexpr double kTurn = 0.05;  // longest time until `stop` is noticed [s]
     const auto end = Clock::now() + std::chrono::duration<double>(limit);
     const bool begun = executeNonBlock(method.c_str(), arguments);
     while (begun && (stop == nullptr || !*stop) && Clock::now() < end && _connectionState != NO_CONNECTION) {
@@ -46,12 +46,12 @@ class Client : public XmlRpc::XmlRpcClient {
     return false;
   }
 
-  // Returns true if the whole call went out and the peer has not closed the connection.
+  // Returns true if the whole call was sent and the peer has not closed the connection.
   bool waitsForAnswer() const { return _connectionState == READ_HEADER || _connectionState == READ_RESPONSE; }
 };
 
 constexpr std::chrono::seconds kPeriod(2);
-constexpr int kDone = 1;        // status of an answer
+constexpr int kDone = 1;        // status of a successful answer
 constexpr double kLimit = 3.0;  // for one call [s]; a master with thousands of topics may be slow
 
 std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
@@ -66,14 +66,14 @@ void add(XmlRpcValue& calls, const std::string& method, const std::vector<std::s
   calls[i]["params"] = callArguments(arguments);
 }
 
-// The calls of the master that register all services and topics of this process; nothing where these are not known.
+// Returns the calls that register all services and topics of this process; nullopt if its topics are not known.
 std::optional<XmlRpcValue> registrations(const std::vector<std::string>& services) {
   XmlRpcValue calls;
   for (const std::string& name : services) {
     add(calls, "registerService", {name, serviceUri(), ownUri()});
   }
   for (const std::string kind : {"Publisher", "Subscriber"}) {
-    // The topics are those that this process lists for others (slave API).
+    // The process lists its topics by its slave API.
     const auto topics =
         call(kLimit, ownUri(), kind == "Publisher" ? "getPublications" : "getSubscriptions", callArguments());
     if (!topics) {
@@ -88,7 +88,7 @@ std::optional<XmlRpcValue> registrations(const std::vector<std::string>& service
 
 struct Reply {
   std::optional<XmlRpcValue> answer;
-  bool is_late = false;  // the peer has the whole call, but has not answered it within the limit
+  bool is_late = false;  // the peer has the whole call, but did not answer it within the limit
 };
 
 Reply callPeer(double limit, const std::string& uri, const std::string& method, const XmlRpcValue& arguments,
@@ -106,19 +106,19 @@ Reply callPeer(double limit, const std::string& uri, const std::string& method, 
     }
     return {std::nullopt, client.waitsForAnswer()};
   } catch (const XmlRpc::XmlRpcException&) {
-    return {};  // no XML-RPC came back
+    return {};  // the answer was not XML-RPC
   }
 }
 
-// All calls at once, where roscpp makes one after the other and takes seconds for hundreds.
+// Makes all calls at once; roscpp makes one after the other, which takes seconds for hundreds.
 Reply callMaster(double limit, const XmlRpcValue& calls) {
   XmlRpcValue arguments;
   arguments[0] = calls;
   return callPeer(limit, ros::master::getURI(), "system.multicall", arguments, nullptr);
 }
 
-// Registers. A subscription is also told of the publishers that have registered before, as the master does of later
-// ones. Returns false if something failed.
+// Makes the calls, and informs each subscription of the publishers that are already registered, as the master does for
+// later ones. Returns false if a call failed.
 bool registerAll(const XmlRpcValue& calls) {
   const auto answers = callMaster(kLimit, calls).answer;
   bool done = answers && answers->size() == calls.size();
@@ -193,7 +193,7 @@ void RegistrationKeeper::check() {
   const auto calls = registrations(services_());
   incomplete_ = !calls || !registerAll(*calls);
   if (is_ending_()) {
-    leaveMaster(kLimit);  // what comes to the master while this node leaves it is taken back
+    leaveMaster(kLimit);  // revokes what was registered while the node was unregistering
   } else if (!incomplete_) {
     ROS_WARN("the master no longer knew this node; the node registered again");
   }
@@ -236,7 +236,7 @@ bool leaveMaster(double limit) {
   if (!calls.valid()) {
     return names.has_value();
   }
-  constexpr double kSendLimit = 1.0;  // [s]; a busy master answers late, but does what it has been sent
+  constexpr double kSendLimit = 1.0;  // [s]; a busy master answers late, but executes the calls
   const Reply reply = callMaster(kSendLimit, calls);
   return reply.answer || reply.is_late;
 }

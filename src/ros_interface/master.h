@@ -1,4 +1,5 @@
-// The master, where roscpp's own calls of it wait for ever if it hangs, and where a new one does not know the node.
+// Calls of the master with time limits, because roscpp's own wait for ever if it hangs, and registration at a restarted
+// master.
 #pragma once
 
 #include <ros/master.h>
@@ -16,16 +17,17 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// The arguments of a call, this node's name first.
+/// Returns the arguments of a call, with this node's name first.
 XmlRpc::XmlRpcValue callArguments(const std::vector<std::string>& arguments = {});
 
-/// Call a method at an address (http://HOST:PORT) within `limit` [s], less once `stop` is set. Returns what came back,
-/// from masters and nodes [status, text, payload] with status 1 where it was done; nothing where no answer came, or a
-/// fault. What comes back may be anything: XmlRpcValue throws XmlRpcException where it is not what it is taken for.
+/// Calls a method at an address (http://HOST:PORT); waits at most `limit` [s], or until `stop` is set. Returns the
+/// answer, for masters and nodes [status, text, payload] with status 1 for success; nullopt without an answer or after
+/// a fault. An answer may have any type: XmlRpcValue throws XmlRpcException if it is not of the type as which it is
+/// read.
 std::optional<XmlRpc::XmlRpcValue> call(double limit, const std::string& uri, const std::string& method,
                                         const XmlRpc::XmlRpcValue& arguments, const std::atomic<bool>* stop = nullptr);
 
-/// True if the master at this address answers within `limit` [s].
+/// Returns true if the master at this address answers within `limit` [s].
 inline bool masterAnswers(double limit, const std::string& uri = ros::master::getURI()) {
   return call(limit, uri, "getPid", callArguments()).has_value();
 }
@@ -37,28 +39,27 @@ using Registered = std::map<std::string, std::vector<std::string>>;
 /// valid answer within `limit` [s].
 std::optional<std::array<Registered, 3>> registeredNames(double limit);
 
-/// Unregisters all that the master knows of this process, as far as starting up has come. Returns false if the master
-/// did not say within `limit` [s] what it knows, or did not accept the calls; a busy master may still be executing them
-/// on return. Nothing may register meanwhile.
+/// Unregisters all that the master knows of this process, also during start-up. Returns false if the master did not
+/// list it within `limit` [s], or did not accept the calls; a busy master may still be executing them on return.
+/// Nothing may register meanwhile.
 bool leaveMaster(double limit);
 
-/// From now on roscpp calls nobody in the master's place: each call fails at once. For the end of a process whose
-/// master hangs, since roscpp waits without a limit. No other thread may call the master meanwhile.
+/// Lets each further call of the master by roscpp fail at once, for the end of a process whose master hangs, because
+/// roscpp waits without a limit. No other thread may call the master meanwhile.
 void giveUpMaster();
 
-/// Registers the node again when the master was restarted: without, nobody new would find it, for ever. Asks the master
-/// every two seconds whether it knows this process, in a thread of its own and never for longer than a time limit: a
-/// master that hangs, or a cable that is pulled, holds up nothing else. Once the process is to end nothing is
-/// registered any more. Connections between nodes outlive their master, so samples are served all the while, over
-/// connections that are not touched.
+/// Registers the node again after a restart of the master, because new peers could not find it otherwise. A thread asks
+/// the master every two seconds whether it knows this process, with a time limit, so that a hanging master or an
+/// unplugged cable blocks nothing else. Once the process is to end, nothing is registered any more. Connections between
+/// nodes outlive their master, so samples are served without interruption.
 class RegistrationKeeper {
  public:
-  /// `services`: resolved names of those that there are now; `is_ending`: whether the process is to end. Both are
-  /// called in the thread.
+  /// `services` returns the resolved names of the present services; `is_ending` returns true if the process is to end.
+  /// Both are called in the thread.
   RegistrationKeeper(std::function<std::vector<std::string>()> services, std::function<bool()> is_ending);
   ~RegistrationKeeper() { stop(); }
 
-  /// End the thread: nothing is registered any more.
+  /// Ends the thread, after which nothing is registered.
   void stop();
 
  private:

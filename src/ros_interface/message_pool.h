@@ -1,4 +1,4 @@
-// Messages that are allocated once and used again, so that publishing costs no allocation of ours.
+// Messages that are allocated once and reused, so that publishing allocates nothing here.
 #pragma once
 
 #include <boost/make_shared.hpp>
@@ -8,14 +8,14 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Hands out messages that nobody else holds any more. A subscriber in the same process (nodelet) gets the message
-/// itself and may keep it: it is used again only once nobody holds it. For one thread.
+/// Provides messages that nobody else holds. A subscriber in the same process (nodelet) receives the message itself and
+/// may keep it; it is reused only when it has been released. Not thread-safe.
 template <class Message>
 class MessagePool {
  public:
   using Pointer = boost::shared_ptr<Message>;
 
-  /// A message free to be written. Where subscribers hold all of them, a new one; up to kMaximum of these are kept.
+  /// Returns a message that may be written: a new one if all that are tried are held. Stores at most kMaximum messages.
   Pointer take() {
     for (std::size_t tried = 0; tried < kTries && tried < messages_.size(); ++tried) {
       next_ = next_ + 1 < messages_.size() ? next_ + 1 : 0;

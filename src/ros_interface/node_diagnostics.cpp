@@ -1,4 +1,4 @@
-// The node's report about itself, once per second.
+// Diagnostics of the node, once per second.
 #include "ros_interface/node_diagnostics.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ using node::ChannelReport;
 constexpr std::size_t kLongestLine = 2000;
 constexpr std::size_t kMostCells = 20;
 
-// A count of a component: its row on /diagnostics, and its words in a warning.
+// A count of a component, with its row on /diagnostics and its words in a warning.
 struct Fault {
   const char* row;
   const char* words;
@@ -49,7 +49,7 @@ constexpr Fault kFaults[] = {
      &ChannelReport::refused_temperatures},
 };
 
-// Stamps that repeat 0 were never filled; the cure is told once.
+// Repeated stamps of 0 were never filled in by the sender; the remedy is logged once.
 std::string wordsOf(const Fault& fault, const ChannelReport& before, const ChannelReport& now) {
   if (fault.count != &ChannelReport::repeated || !now.started || now.last_time != 0.0) {
     return fault.words;
@@ -63,7 +63,7 @@ std::string wordsOf(const Fault& fault, const ChannelReport& before, const Chann
   return text;
 }
 
-// The warning between two reports of one component; empty if there is none.
+// Describes the faults of a component between two reports; empty if there are none.
 std::string describeFaults(const ChannelReport& before, const ChannelReport& now) {
   std::string text;
   for (const Fault& fault : kFaults) {
@@ -110,7 +110,7 @@ void fillStatus(const ChannelReport& before, const ChannelReport& now, double el
   }
 }
 
-// False where nobody measures.
+// Returns false if no force is measured.
 bool addMatches(const node::MatchCounters& counters, DiagnosticStatusWrapper& status) {
   if (counters.matched + counters.unmatched + counters.not_finite == 0) {
     return false;
@@ -207,7 +207,7 @@ Running runningMessage(const std::string& component, const node::RunningModel& r
 }  // namespace
 
 void fillThreadStatus(const std::string& name, double silence, DiagnosticStatusWrapper& status) {
-  constexpr double kStale = 2.0;  // [s], where a thread that is not held up comes round ten times a second
+  constexpr double kStale = 2.0;  // [s]; a thread takes ten turns a second unless it is blocked
   if (silence > kStale) {
     status.summaryf(DiagnosticStatus::STALE, "thread `%s` has not served anything for %.1f s", name.c_str(), silence);
   } else {
@@ -297,7 +297,7 @@ void NodeDiagnostics::watch(const LiveDiagnoser& live, const std::string& compon
                [&live, component](DiagnosticStatusWrapper& status) { live.fillStatus(component, status); });
 }
 
-// In turn, as many as a fraction of the period allows: with many components each gap is measured less often.
+// Measures the gaps in turn for a fraction of the period, so that with many components each is measured less often.
 void NodeDiagnostics::updateGaps() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
   for (std::size_t i = 0; i < watched_.size() && std::chrono::steady_clock::now() < end; ++i) {
@@ -351,7 +351,7 @@ void NodeDiagnostics::update() {
   }
 }
 
-// All that went wrong since the last line, where there is something new.
+// Logs all faults since the last line if there are new ones.
 void NodeDiagnostics::logFaults(double now) {
   const bool news = std::any_of(watched_.begin(), watched_.end(), [](const Watched& watched) {
     return !describeFaults(watched.before, watched.now).empty();

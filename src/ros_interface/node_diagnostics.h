@@ -1,4 +1,4 @@
-// The node's report about itself, once per second: /diagnostics and, if something went wrong, a line of log.
+// Diagnostics of the node, once per second: /diagnostics and, if there are faults, a line of log.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -20,24 +20,24 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Write the status of a serving thread that came round so long ago [s]: stale where something holds it up.
+/// Writes the status of a serving thread whose last turn was `silence` [s] ago: stale if the thread is blocked.
 void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// Publishes on a timer of steady time, so that it continues while simulated time stands still.
+/// Publishes by a wall timer, so that it continues while simulated time stands still.
 class NodeDiagnostics {
  public:
   NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const node::GapSettings& gap_settings);
 
-  /// Report on a component, the bundled topics or a serving thread. All of these must outlive the object.
+  /// Reports on a component, the bundled topics or a serving thread. All of these must outlive the object.
   void watch(node::ComponentChannel& channel, const SampleServer& server);
   void watch(const BundleServer& bundle, const std::string& name);
   void watch(const ServingThread& thread);
 
-  /// Report on what the live diagnosis says of a component.
+  /// Reports the findings of the live diagnosis on a component.
   void watch(const LiveDiagnoser& live, const std::string& component);
 
  private:
-  // A live gap of a component, of a direction of it or the only one.
+  // The live gap of one direction of a component.
   struct Gap {
     std::string direction;
     std::size_t place;
@@ -49,8 +49,8 @@ class NodeDiagnostics {
   struct Watched {
     node::ComponentChannel* channel;
     const SampleServer* server;
-    std::vector<Gap> gaps;             // one, or those of six directions
-    std::optional<Gap> shadow;         // of one direction
+    std::vector<Gap> gaps;             // one, or one for each direction that is not free
+    std::optional<Gap> shadow;         // of a second model; for one direction only
     ros::Publisher running_publisher;  // latched
     node::RunningModel running;
     node::ChannelReport before{};
@@ -68,9 +68,9 @@ class NodeDiagnostics {
 
   ros::NodeHandle handle_;
   node::GapSettings gap_settings_;
-  std::deque<Watched> watched_;  // the tasks refer to the entries
+  std::deque<Watched> watched_;  // diagnostic tasks refer to the entries
   node::ReportPace pace_;
-  std::size_t next_gap_ = 0;  // whose gap is measured next
+  std::size_t next_gap_ = 0;  // component whose gap is measured next
   diagnostic_updater::Updater updater_;
   std::chrono::steady_clock::time_point last_update_;
   double elapsed_ = 1.0;  // between the last two updates [s]

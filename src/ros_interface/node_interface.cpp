@@ -55,7 +55,7 @@ std::string table(bool services) {
   return text;
 }
 
-// The text of the .msg file itself; what follows a line of equals signs are the messages that it contains.
+// Returns the text of the .msg file, without the messages that it contains, which follow a line of equals signs.
 template <class Message>
 std::string definition() {
   std::string text = ros::message_traits::Definition<Message>::value();

@@ -1,4 +1,4 @@
-// Services of the node besides forces.
+// Services of the node.
 #include "ros_interface/node_services.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-// The channel of that name; throws std::invalid_argument that lists the names.
+// Returns the channel with this name. Throws std::invalid_argument, which lists the names.
 node::ComponentChannel& channelNamed(const std::string& name, const node::ChannelGroup& group) {
   std::vector<std::string> names;
   for (node::ComponentChannel* channel : group.channels()) {
@@ -39,7 +39,7 @@ node::ComponentChannel& channelNamed(const std::string& name, const node::Channe
                                           element::didYouMean(name, names), fmt::join(names, ", ")));
 }
 
-// For every channel the entry of its name; throws unless the names are the same on both sides.
+// Returns for every channel the entry with its name. Throws unless both sides have the same names.
 template <class Entry>
 std::vector<const Entry*> matchByName(const std::vector<Entry>& entries, std::string Entry::* name,
                                       const node::ChannelGroup& group) {
@@ -160,7 +160,7 @@ std::string NodeServices::load() {
 }
 
 std::string NodeServices::reload() const {
-  constexpr double kLimit = 1.0;  // [s]; the parameters are asked for without a limit, and hold up all services
+  constexpr double kLimit = 1.0;  // [s]; roscpp requests parameters without a limit, which would block all services
   element::refuseIf<std::runtime_error>(!masterAnswers(kLimit), "the master did not return the parameters within {} s",
                                         kLimit);
   const io::Cancellable cancellable(isEnding);

@@ -1,4 +1,4 @@
-// Services of the node besides forces: reset, save and load the state, enable, reload.
+// Services of the node: reset, save and load the state, enable, reload, promote and roll back.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -15,26 +15,26 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Read the states of `path` and put every channel on its own. All or none: throws node::FileError or
-/// std::invalid_argument where the file is not one of exactly these components, and nothing has changed.
+/// Reads the states in `path` and loads each into its channel. Throws node::FileError or std::invalid_argument, without
+/// any change, unless the file has the states of exactly these components.
 void loadStates(const std::string& path, node::ChannelGroup& group);
 
 /// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
 /// components, ~reset_component and ~enable_component for one by its name. `COMPONENT/promote` and `COMPONENT/rollback`
-/// are there where something can be promoted, or was. They read and write nothing but the files that the node's private
-/// parameters name: whoever calls a service names no path.
+/// exist if a model can be promoted or has been. Services access only files that private parameters of the node name,
+/// so that a caller cannot choose a path.
 class NodeServices {
  public:
-  /// The group must outlive the object, and so must the live diagnosis, if there is one. Throws io::Cancelled where the
-  /// process is to end meanwhile.
+  /// The group and the live diagnosis, if any, must outlive the object. Throws io::Cancelled if the process is to end
+  /// meanwhile.
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
                node::ChannelGroup& group, const LiveDiagnoser* live);
 
-  /// Resolved names of all services of the node, those about loggers among them. From any thread.
+  /// Returns the resolved names of all services of the node, including those for loggers. Thread-safe.
   std::vector<std::string> names() const;
 
  private:
-  /// `action` returns the message of success, its exceptions become that of failure.
+  /// Advertises a service. `action` returns the message of success; an exception provides the message of failure.
   template <class Service, class Action>
   void advertise(ros::NodeHandle& handle, const std::string& name, Action action);
   void advertisePromotions();
@@ -49,9 +49,9 @@ class NodeServices {
   NodeSettings settings_;
   node::ChannelGroup& group_;
   const LiveDiagnoser* live_;
-  mutable std::mutex mutex_;  // of the servers
+  mutable std::mutex mutex_;  // guards servers_
   std::vector<ros::ServiceServer> servers_;
-  std::set<std::string> promotable_;  // components whose promotion has its services
+  std::set<std::string> promotable_;  // components that have services for promotion
 };
 
 }  // namespace rubber_suspension::ros_interface

@@ -1,4 +1,4 @@
-// The node's private parameters, checked strictly against one table.
+// Private parameters of the node, checked strictly against one table.
 #include "ros_interface/node_settings.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ using XmlRpc::XmlRpcValue;
 struct Setting {
   std::string name;
   std::variant<bool*, int*, double*, std::string*> value;
-  double lower;  // of a number; a real one must be greater
+  double lower;  // smallest integer; a real number must be greater
   double upper;
   std::string documentation;
 };
@@ -81,7 +81,7 @@ std::string accepted(const Setting& setting) {
   return std::holds_alternative<bool*>(setting.value) ? "true or false" : "text, the path of a file";
 }
 
-// Takes a value of exactly that type.
+// Copies the value if it has exactly this type; returns true if so.
 template <class Value>
 bool take(const XmlRpcValue& given, XmlRpcValue::Type type, Value& value) {
   const bool fits = given.getType() == type;
@@ -91,7 +91,7 @@ bool take(const XmlRpcValue& given, XmlRpcValue::Type type, Value& value) {
   return fits;
 }
 
-// False where the value is not accepted.
+// Stores the value in the setting; returns false if it is not accepted.
 bool read(const XmlRpcValue& given, const Setting& setting) {
   if (bool* const* flag = std::get_if<bool*>(&setting.value)) {
     return take(given, XmlRpcValue::TypeBoolean, **flag);
@@ -111,7 +111,7 @@ bool read(const XmlRpcValue& given, const Setting& setting) {
          number <= setting.upper;
 }
 
-// The first level of every parameter below the node's private namespace is one of the table's, or what others read.
+// Throws for a parameter in the node's private namespace that is not in the table and that no library reads.
 void refuseUnknown(const ros::NodeHandle& private_handle, const std::vector<Setting>& table) {
   std::vector<std::string> known = {"config_file", "components"};
   for (const Setting& setting : table) {
@@ -132,7 +132,7 @@ void refuseUnknown(const ros::NodeHandle& private_handle, const std::vector<Sett
   }
 }
 
-// Names that topics and services of the node have, or begin with.
+// Returns names that are taken by the node and its topics and services.
 std::set<std::string> reservedNames(const ros::NodeHandle& private_handle) {
   std::set<std::string> names = {"clock", "get_loggers", "parameter_updates", "rosout", "set_logger_level"};
   for (const InterfaceEntry& entry : nodeInterface()) {
@@ -146,7 +146,7 @@ std::set<std::string> reservedNames(const ros::NodeHandle& private_handle) {
   return names;
 }
 
-// Refuses names that are taken, and warns of specifications.
+// Throws for reserved names, and logs warnings about specifications.
 void checkComponents(const std::vector<io::ComponentDescription>& components, const std::string& source,
                      const ros::NodeHandle& private_handle) {
   const std::set<std::string> reserved = reservedNames(private_handle);

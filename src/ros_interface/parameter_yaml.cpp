@@ -16,7 +16,8 @@ using XmlRpc::XmlRpcValue;
 
 constexpr int kDeepest = 16;
 
-// strtod also reads hexadecimal, "nan" and "inf"; none of them is a number of a component file.
+// Returns text that is a number as a number. Excludes hexadecimal numbers, "nan" and "inf", which strtod also reads but
+// a component file does not accept.
 json ofText(const std::string& text) {
   char* end = nullptr;
   errno = 0;
@@ -24,7 +25,7 @@ json ofText(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos || *end != '\0' || errno != 0) {
     return text;
   }
-  const json whole = json::parse(text, nullptr, false);  // nothing for a spelling that JSON has not, such as 1.e6
+  const json whole = json::parse(text, nullptr, false);  // discarded for a spelling that JSON lacks, such as 1.e6
   return whole.is_number_integer() ? whole : json(number);
 }
 

@@ -7,9 +7,9 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// The value as YAML in the style of JSON. Numbers keep every bit. A string that is a number as a whole, as roslaunch
-/// leaves `3.0e6`, is written as that number; every other string is quoted. Throws std::invalid_argument for what no
-/// component file can hold (dates, binary data) and for nesting deeper than any component file.
+/// Returns the value as YAML in the style of JSON, with numbers to the last bit. A string that is a number, such as
+/// `3.0e6` from roslaunch, is written as that number; other strings are quoted. Throws std::invalid_argument for types
+/// that a component file cannot contain (dates, binary data) and for nesting deeper than that of any component file.
 std::string toYamlText(const XmlRpc::XmlRpcValue& value);
 
 }  // namespace rubber_suspension::ros_interface

@@ -1,4 +1,4 @@
-// Holds, steps and resumes a playback from outside: by the services ~pause and ~step, or by calls.
+// Pauses, steps and resumes a playback, by the services ~pause and ~step or by calls.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Shared by the players of all components; all calls are safe from any thread.
+/// Control shared by the players of all components. Thread-safe.
 class PlayControl {
  public:
   /// `step`: samples that each component plays per step, at least 1.
@@ -22,12 +22,12 @@ class PlayControl {
 
   bool running() const { return running_; }
 
-  /// Samples that each component may play while it does not run, counted from the start.
+  /// Returns how many samples each component may play by steps while the playback is paused, counted from the start.
   std::size_t granted() const { return granted_; }
 
   void pause(bool paused) { running_ = !paused; }
 
-  /// Play `step` more samples of each component, then hold.
+  /// Plays `step` more samples of each component, then pauses.
   void step() {
     running_ = false;
     granted_ += step_;
@@ -39,7 +39,7 @@ class PlayControl {
   std::atomic<std::size_t> granted_{0};
 };
 
-/// The services ~pause (std_srvs/SetBool; true holds) and ~step (std_srvs/Trigger), in a thread of their own.
+/// The services ~pause (std_srvs/SetBool; true: pause) and ~step (std_srvs/Trigger), in a thread of their own.
 class PlayControlServices {
  public:
   PlayControlServices(const ros::NodeHandle& private_handle, PlayControl& control)

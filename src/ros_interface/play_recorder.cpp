@@ -1,4 +1,4 @@
-// Records what a playback brought.
+// Recorder of a playback.
 #include "ros_interface/play_recorder.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Records what a playback brought, pass by pass: forces and gap as CSV, all topics of the component as a bag.
+// Recorder of a playback, pass by pass: forces and gap as CSV, all topics of the component as a bag.
 #pragma once
 
 #include <memory>
@@ -15,25 +15,25 @@ class BagWriter;
 
 namespace rubber_suspension::ros_interface {
 
-/// Files to write; empty: not wanted.
+/// Files to write; an empty path means no file.
 struct RecordPaths {
   std::string forces;  ///< CSV: time_s,displacement_m,force_N
   std::string gaps;    ///< CSV: a row per message of COMPONENT/gap
   std::string bag;
 };
 
-/// The paths FOLDER/COMPONENT_force.csv, FOLDER/COMPONENT_gap.csv and FOLDER/COMPONENT.bag. A component may lie
-/// in a ROS namespace: a slash in its name becomes an underscore.
+/// Returns the paths FOLDER/COMPONENT_force.csv, FOLDER/COMPONENT_gap.csv and FOLDER/COMPONENT.bag, where slashes of a
+/// component's ROS namespace become underscores.
 RecordPaths recordPathsIn(const std::string& folder, const std::string& component);
 
-/// Opens its files at once, so that what cannot be written is known before anything is played; they take their names in
-/// close(). All calls throw std::runtime_error, such as LogError.
+/// Records a playback. The constructor opens the files, so that it fails before anything is played if they cannot be
+/// written; close() gives them their names. All functions throw std::runtime_error, such as LogError.
 class PlayRecorder {
  public:
   PlayRecorder(const RecordPaths& paths, const std::string& component);
   ~PlayRecorder();
 
-  /// Add the answered samples of a pass.
+  /// Adds a pass: the answered samples to the CSV file, all that were sent to the bag, and the gaps.
   void add(const log::Log& log, const PlayResult& result);
   void close();
 

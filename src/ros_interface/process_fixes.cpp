@@ -1,4 +1,4 @@
-// Faults of roscpp that concern a process as a whole.
+// Remedies for faults of roscpp that concern the whole process.
 #include "ros_interface/process_fixes.h"
 
 #include <netinet/in.h>
@@ -20,7 +20,7 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-// The lowest level that a logger lets through, by the name that ~set_logger_level takes.
+// Returns the lowest level that a logger writes, by its name for ~set_logger_level.
 std::string levelOf(const std::string& logger) {
   const std::vector<std::string> levels = {"debug", "info", "warn", "error"};  // as rosconsole numbers them
   std::size_t level = 0;
@@ -42,7 +42,7 @@ bool answer(roscpp::GetLoggers::Request& /*request*/, roscpp::GetLoggers::Respon
 }
 
 bool hasPort(int file, std::uint32_t port) {
-  sockaddr_in6 address{};  // the port of IPv4 lies at the same place
+  sockaddr_in6 address{};  // an IPv4 address has its port at the same place
   socklen_t size = sizeof(address);
   return getsockname(file, reinterpret_cast<sockaddr*>(&address), &size) == 0 &&
          (address.sin6_family == AF_INET || address.sin6_family == AF_INET6) && ntohs(address.sin6_port) == port;
@@ -67,7 +67,7 @@ std::vector<std::string> loggerServices() {
   return {ros::this_node::getName() + "/get_loggers", ros::this_node::getName() + "/set_logger_level"};
 }
 
-// roscpp does not hand out its sockets, so they are looked for among all files of this process.
+// roscpp does not expose its sockets, so they are searched for among all open files of this process.
 std::string keepSlaveApiToLoopback() {
   const std::string& host = ros::network::getHost();
   if (host != "localhost" && host != "::1" && host.compare(0, 4, "127.") != 0) {

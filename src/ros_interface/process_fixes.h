@@ -1,4 +1,5 @@
-// Faults of roscpp that concern a process as a whole: its service ~get_loggers, and a slave API that all may call.
+// Remedies for faults of roscpp that concern the whole process: its service ~get_loggers, and the reach of its slave
+// API.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -9,17 +10,17 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// roscpp's own ~get_loggers frees the repository of all loggers where rosconsole is built with log4cxx 1.0 (Debian
-/// 12): the process then ends at its next line of log. What is returned takes its place as long as it exists: one for
-/// the process, which all nodelets in it share.
+/// Returns a service that replaces roscpp's ~get_loggers while it exists, shared by all nodelets of the process. With
+/// rosconsole built with log4cxx 1.0 (Debian 12), roscpp's own frees the repository of all loggers, and the process
+/// ends at its next line of log.
 std::shared_ptr<ros::ServiceServer> takeOverLoggerService();
 
-/// Resolved names of the services about loggers, roscpp's own ~set_logger_level among them.
+/// Returns the resolved names of the services for loggers, including roscpp's own ~set_logger_level.
 std::vector<std::string> loggerServices();
 
-/// Where ROS_IP or ROS_HOSTNAME keeps this process to the loopback interface, roscpp listens for samples there only,
-/// but for the calls of its slave API on all interfaces: bind these to it as well. Call once ROS runs. Returns why that
-/// was not possible, or nothing. Linux before 5.7 permits it to root only.
+/// Binds the slave API to the loopback interface if ROS_IP or ROS_HOSTNAME restricts this process to it: roscpp
+/// restricts only the samples, and listens for calls of the slave API on all interfaces. Call this once ROS runs.
+/// Returns why it failed, or an empty text. Linux before 5.7 permits it to root only.
 std::string keepSlaveApiToLoopback();
 
 }  // namespace rubber_suspension::ros_interface

@@ -67,7 +67,7 @@ SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& chan
                                channel.gap().addMeasured(stampOf(measured.header), measured.force);
                              });
   }
-  // In the thread of the samples, but in no order with them: the stamps decide.
+  // Temperatures come in the thread of the samples but in no defined order with them, so their stamps decide.
   subscribe<sensor_msgs::Temperature>(handle, name + "/temperature", size, node::isStamped<2>,
                                       [&channel](const ros::MessageEvent<const sensor_msgs::Temperature>& event) {
                                         const sensor_msgs::Temperature& measured = *event.getConstMessage();

@@ -14,7 +14,7 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Write the answer to a displacement.
+/// Writes the answer to a displacement.
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message);
 
 class SampleServer : public AnsweringTopics {

@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Only this thread gets SCHED_FIFO: with every thread of a process at that priority and one processor, the node could
-/// not even shut down.
+/// Executes the callbacks of its queue. Only this thread gets SCHED_FIFO: with all threads of the process at that
+/// priority, a node on one processor could not even shut down.
 class ServingThread {
  public:
   ServingThread() = default;
@@ -19,16 +19,16 @@ class ServingThread {
 
   ros::CallbackQueue& queue() { return queue_; }
 
-  /// Start to serve under a name of at most 15 characters; with a priority above 0 at that SCHED_FIFO priority. Returns
-  /// why that was not possible, or nothing. The thread serves in any case.
+  /// Starts the thread under a name of at most 15 characters; a priority above 0 is its SCHED_FIFO priority. Returns
+  /// why the priority was not set, or an empty text. The thread serves in any case.
   std::string start(const std::string& name, int realtime_priority);
 
   const std::string& name() const { return name_; }
 
-  /// Since the thread last came round [s]; it does so at least ten times a second unless something holds it up.
+  /// Returns the time since the last turn of the thread [s]; it takes at least ten a second unless it is blocked.
   double silence() const;
 
-  /// Finish the callback that runs and end. Callbacks that wait are discarded.
+  /// Finishes the running callback and ends the thread. Callbacks that wait are discarded.
   void stop();
 
  private:
@@ -43,8 +43,8 @@ class ServingThread {
   std::thread thread_;
 };
 
-/// Keep all memory of this process resident: what it has now, and what it gets from when it is first touched, so that
-/// memory which a message only claims to need takes nothing. Returns why that was not possible, or nothing.
+/// Keeps all memory of this process resident: present memory at once and later memory from its first access on, so that
+/// memory that is allocated but not used costs nothing. Returns why that failed, or an empty text.
 std::string lockMemory();
 
 }  // namespace rubber_suspension::ros_interface

@@ -1,4 +1,4 @@
-// The node, put together.
+// The node `simulate`.
 #include "ros_interface/simulate_node.h"
 
 #include <dlfcn.h>
@@ -30,8 +30,8 @@ namespace rubber_suspension::ros_interface {
 
 namespace {
 
-// Claims a component, by its resolved name, for a node of this process and as long as what is returned exists. Throws
-// std::invalid_argument that names the node that has claimed it before.
+// Claims a component, by its resolved name, for a node of this process, as long as the returned pointer exists. Throws
+// std::invalid_argument, which names the node that has already claimed it.
 std::shared_ptr<const std::string> claim(const std::string& component, const std::string& node) {
   static std::mutex mutex;
   static std::map<std::string, std::weak_ptr<const std::string>> claims;
@@ -46,7 +46,8 @@ std::shared_ptr<const std::string> claim(const std::string& component, const std
   return claimed;
 }
 
-// Load the library of the diagnosis and begin. It stays loaded: its code may still be at work when the process ends.
+// Loads the library of the diagnosis and starts it. The library stays loaded, because its code may run until the
+// process ends.
 std::unique_ptr<LiveDiagnoser> loadLiveDiagnoser(ros::NodeHandle& handle, const node::ChannelGroup& group,
                                                  const LiveDiagnoserSettings& settings) {
   constexpr const char* kLibrary = "librubber_suspension_live.so";
@@ -61,7 +62,7 @@ std::unique_ptr<LiveDiagnoser> loadLiveDiagnoser(ros::NodeHandle& handle, const 
       reinterpret_cast<MakeLiveDiagnoser*>(maker)(handle, group.channels(false), settings));
 }
 
-// Why something was refused, or else that it is so.
+// Logs why something was refused, or else that it succeeded.
 void tell(const std::string& refusal, const std::string& success) {
   if (!refusal.empty()) {
     ROS_WARN("%s", refusal.c_str());
@@ -75,7 +76,7 @@ void leave(RosCommandLine& line) {
   constexpr double kMasterLimit = 0.5;  // [s]
   constexpr double kLeaveLimit = 3.0;   // [s]
   if (ros::isShuttingDown()) {
-    return;  // a thread of roscpp's is at it
+    return;  // a thread of roscpp unregisters already
   }
   const bool answers = masterAnswers(kMasterLimit);
   if (answers) {
@@ -86,9 +87,9 @@ void leave(RosCommandLine& line) {
   }
 }
 
-// Open files that one more node needs, at least: for each component a connection of its displacements and one of its
-// forces, the same for bundles, and some for the master, services and files. Throws std::runtime_error where the
-// process has fewer.
+// Raises the limit of open files for one more node, which needs two connections for each component (displacements and
+// forces), two for bundles, and some files for the master, services and others. Throws std::runtime_error if the hard
+// limit is too low.
 void requireOpenFiles(std::size_t components) {
   constexpr std::size_t kBeside = 24;
   std::error_code unknown;
@@ -106,7 +107,7 @@ void requireOpenFiles(std::size_t components) {
                     "present limit is {}",
                     needed, each, needed - 2 * components, needed, limit.rlim_max));
   }
-  constexpr rlim_t kTimes = 4;  // peers keep the connections open by which they asked
+  constexpr rlim_t kTimes = 4;  // peers keep the connections of their requests open
   limit.rlim_cur = std::max(limit.rlim_cur, std::min(kTimes * needed, limit.rlim_max));
   setrlimit(RLIMIT_NOFILE, &limit);
 }
@@ -114,17 +115,17 @@ void requireOpenFiles(std::size_t components) {
 }  // namespace
 
 void runSimulateNode(RosCommandLine& line) {
-  // Give large blocks back when they are freed: by itself the allocator takes one large message for a habit, and keeps
-  // room for the next.
+  // Return large blocks to the system when they are freed. By default the allocator raises its thresholds after one
+  // large message and keeps the memory.
   constexpr int kLarge = 256 * 1024;
   mallopt(M_MMAP_THRESHOLD, kLarge);
   mallopt(M_TRIM_THRESHOLD, 2 * kLarge);
   const Termination termination;
-  requireOpenFiles(0);  // roscpp waits for ever without those of its own
+  requireOpenFiles(0);  // without files for itself roscpp waits for ever
   if (!line.initialise("simulate", ros::init_options::NoSigintHandler)) {
     return;
   }
-  // Before anything goes: what goes by itself tells the master so, one call after the other.
+  // Unregister before anything is destroyed, because each object would call the master separately.
   bool left = false;
   const auto ends_and_leaves = [&] {
     if (isEnding() && !std::exchange(left, true)) {
@@ -134,7 +135,7 @@ void runSimulateNode(RosCommandLine& line) {
   };
   try {
     SimulateNode node(ros::NodeHandle(), ros::NodeHandle("~"), ends_and_leaves);
-    while (!isEnding()) {  // services, timers and diagnostics; ros::spin() would leave the end to ROS
+    while (!isEnding()) {  // services, timers, diagnostics; ros::spin() would only end with ROS
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
     }
     node.stopRegistering();
@@ -148,7 +149,7 @@ void runSimulateNode(RosCommandLine& line) {
         "a thread cannot be started: {}; accepted: larger limits of memory and threads (ulimit -v, ulimit -u)",
         error.what()));
   }
-  ros::shutdown();  // waits for the thread that has begun to
+  ros::shutdown();  // waits for another thread that has begun the shutdown
 }
 
 SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
@@ -156,9 +157,9 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
     : handle_(handle), private_handle_(private_handle) {
   const io::Cancellable cancellable(is_ending);
   try {
-    loggers_ = takeOverLoggerService();  // first, as whoever calls roscpp's own ends the process
-    // The first line of log asks the master for this parameter, without a time limit and with all parameters locked:
-    // ask now, while the master is known to answer.
+    loggers_ = takeOverLoggerService();  // first, because a call of roscpp's own ends the process
+    // The first line of log requests this parameter from the master, without a time limit and with all parameters
+    // locked. Request it now, while the master is known to answer.
     bool unused = false;
     ros::param::getCached("/rosout_disable_topics_generation", unused);
     settings_ = readNodeSettings(private_handle_);
@@ -181,7 +182,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 SimulateNode::~SimulateNode() {
   registration_.reset();
   if (live_) {
-    live_->stop();  // services and diagnostics may ask it until they end
+    live_->stop();  // services and diagnostics may use it until they end
   }
   for (auto& server : servers_) {
     server->shutdown();

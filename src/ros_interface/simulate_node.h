@@ -1,4 +1,4 @@
-// The node: components, their topics, services and diagnostics, put together for a process of its own or a nodelet.
+// The node: components with their topics, services and diagnostics, in a process of its own or as a nodelet.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -21,20 +21,20 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// The program `simulate`: serve until a signal comes or ROS is shut down, then take the node off the master. The
-/// process is to return at once after that. Throws as SimulateNode does.
+/// Runs the program `simulate`: serves until a signal comes or ROS is shut down, then unregisters the node. The process
+/// must return at once after that. Throws as SimulateNode does.
 void runSimulateNode(RosCommandLine& line);
 
 /// Serves samples in threads of its own; services and diagnostics run on the queue of the handles given.
 class SimulateNode {
  public:
-  /// Throws std::exception with one line that says what is wrong; then nothing was advertised. Throws io::Cancelled
-  /// where `is_ending`, which is asked all the while, returns true before the node serves.
+  /// Throws std::exception, with one line that states what is wrong, and io::Cancelled if `is_ending`, which is called
+  /// repeatedly, returns true before the node serves. Then nothing remains advertised.
   SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                const std::function<bool()>& is_ending);
   ~SimulateNode();
 
-  /// Register nothing any more.
+  /// Ends the supervision of the registration, after which nothing is registered.
   void stopRegistering() { registration_->stop(); }
 
  private:
@@ -45,13 +45,13 @@ class SimulateNode {
   ros::NodeHandle handle_;
   ros::NodeHandle private_handle_;
   NodeSettings settings_;
-  std::vector<std::shared_ptr<const std::string>> claims_;  // of the components
+  std::vector<std::shared_ptr<const std::string>> claims_;  // one for each component
   std::vector<std::unique_ptr<node::ComponentChannel>> channels_;
   std::unique_ptr<node::ChannelGroup> group_;
   std::vector<std::unique_ptr<ServingThread>> threads_;
   std::vector<std::unique_ptr<SampleServer>> servers_;
   std::vector<std::unique_ptr<BundleServer>> bundles_;  // of displacements and, where a component has them, of poses
-  std::unique_ptr<LiveDiagnoser> live_;                 // where ~diagnose is true
+  std::unique_ptr<LiveDiagnoser> live_;                 // if ~diagnose is true
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
   std::shared_ptr<ros::ServiceServer> loggers_;

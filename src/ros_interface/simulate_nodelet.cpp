@@ -1,4 +1,4 @@
-// The node as a nodelet: the same, without copies between nodelets of one manager.
+// The node as a nodelet, which exchanges messages with nodelets of the same manager without copies.
 #include <nodelet/nodelet.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The orderly end of a node: the same at SIGINT, SIGTERM and SIGHUP, and soon, even while something hangs.
+// Orderly end of a node at SIGINT, SIGTERM and SIGHUP, within a time limit even if a call hangs.
 #pragma once
 
 #include <atomic>
@@ -6,13 +6,13 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// True once this process is to end: by a signal, or because ROS is being shut down. Long work ends early then.
+/// Returns true once this process is to end, by a signal or because ROS is being shut down. Long work then ends early.
 bool isEnding();
 
-/// From its construction on SIGINT, SIGTERM and SIGHUP make isEnding() true, and nothing else: the main thread ends
-/// what it has begun, takes the node off the master and returns. Where that is held up for 5 s - a file does not open,
-/// the master answers once and then hangs - the process ends with status 1. Make it before any thread is started, as
-/// threads inherit which signals they get; give ROS no handler of its own.
+/// From construction on, SIGINT, SIGTERM and SIGHUP only make isEnding() true, so that the main thread can finish its
+/// work, unregister the node and return. If that takes more than 5 s, for example because the master hangs, the process
+/// ends with status 1. Make the object before any thread is started, because threads inherit the signal mask, and give
+/// ROS no handler of its own.
 class Termination {
  public:
   Termination();

@@ -81,7 +81,7 @@ void DiagnosisThread::stop() {
   }
 }
 
-// On Linux niceness belongs to the thread.
+// On Linux each thread has its own niceness.
 void DiagnosisThread::run() {
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), settings_.nice) != 0) {
     ROS_WARN("the priority of the live diagnosis cannot be lowered; it runs at normal priority");

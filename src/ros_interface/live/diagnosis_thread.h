@@ -19,8 +19,8 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// One thread for all components: it reads the samples that the channels keep, under the short locks that these have
-/// anyhow, and looks at one component after the other.
+/// Diagnoses all components, one after the other, in one thread. Reads the samples that the channels store, for which
+/// it locks a channel only for a short time.
 class DiagnosisThread final : public LiveDiagnoser {
  public:
   /// The channels must outlive the object.
@@ -39,8 +39,8 @@ class DiagnosisThread final : public LiveDiagnoser {
     std::unique_ptr<diagnosis::live::LiveDiagnosis> live;
     std::uint64_t next = 0;  // number of the next sample
     ros::Publisher publisher;
-    diagnosis::live::LiveFindings findings{};         // under the mutex
-    std::optional<io::ComponentDescription> found{};  // under the mutex
+    diagnosis::live::LiveFindings findings{};         // guarded by mutex_
+    std::optional<io::ComponentDescription> found{};  // guarded by mutex_
   };
 
   void run();
