@@ -75,7 +75,7 @@ class ValueCounter : public YAML::EventHandler {
   int start_ = 1;
   std::size_t values_ = 0;
   std::vector<Open> open_;
-  std::map<YAML::anchor_t, std::size_t> sizes_;  // that of "no anchor" is never read
+  std::map<YAML::anchor_t, std::size_t> sizes_;  // entry 0, for values without an anchor, is never read
 };
 
 // Returns the line at which a text is nested deeper than any file of this package, because the parser is recursive and

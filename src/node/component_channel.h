@@ -105,7 +105,8 @@ class ComponentChannel {
   /// Processes a sample: stamp [ns], displacement [m]. Returns false, and counts the reason, if no force is to be sent.
   bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
 
-  /// Processes a pose: position [m] and rotation of B in A. `wrench` is that on B, in A's axes. Returns as above.
+  /// Processes a pose: position [m] and rotation of B in A. `wrench` acts on B, in A's axes. Returns as for one
+  /// direction.
   bool push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation,
             component::Wrench& wrench);
 

@@ -1,5 +1,5 @@
-// All components in one message, for simulations that step all at once: topics `displacements` and `forces`, or `poses`
-// and `wrenches`.
+// Server of the bundled topics, which have all components in one message: `displacements` and `forces`, or `poses` and
+// `wrenches`.
 #pragma once
 
 #include <ros/node_handle.h>

@@ -114,7 +114,7 @@ void endLikeAtInterrupt() {
 // roscpp alone would wait for the master without a limit, and signals could not end the wait.
 bool RosCommandLine::waitForMaster(double timeout) const {
   constexpr double kTurn = 1.0;      // [s]
-  constexpr double kPatience = 2.0;  // until a message says so [s]
+  constexpr double kPatience = 2.0;  // until a message is printed [s]
   const std::string uri = masterUri(all_);
   const auto begin = std::chrono::steady_clock::now();
   for (bool said = false; !isEnding();) {

@@ -119,7 +119,7 @@ class LogPlayer {
   std::size_t stepped_ = 0;                       // samples sent by steps, in all plays
   std::vector<std::size_t> temperature_changes_;  // samples of the log at which the temperature changes
   std::size_t announced_ = 0;                     // number of these changes that were sent
-  Steady::time_point start_;                      // as start() returns it
+  Steady::time_point start_;                      // see start()
   Steady::time_point last_answer_;
   Steady::time_point last_note_;
 };
