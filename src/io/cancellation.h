@@ -27,8 +27,8 @@ class Cancellable {
   const Cancellable* const outer_;
 };
 
-/// Throws Cancelled if the innermost Cancellable of this thread returns true. Long work calls this regularly; without a
-/// Cancellable it costs next to nothing.
+/// Throws Cancelled if `stop` of this thread's innermost Cancellable returns true. Long work calls this regularly;
+/// without a Cancellable it costs next to nothing.
 void checkCancelled();
 
 }  // namespace rubber_suspension::io

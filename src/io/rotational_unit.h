@@ -5,8 +5,7 @@
 
 namespace rubber_suspension::io {
 
-/// Returns the SI unit of the rotational quantity that corresponds to a translational one: rad for m, N m for N.
-/// Returns other units unchanged.
+/// Returns the SI unit for rotations that corresponds to one for translations: rad for m, N m for N; else `unit`.
 std::string rotationalUnit(const std::string& unit);
 
 }  // namespace rubber_suspension::io

@@ -92,8 +92,7 @@ class ComponentChannel {
   class Promotion;
 
  public:
-  /// Throws std::invalid_argument if the description has no solution. `max_gap` is in [s]; `samples_kept` is the
-  /// capacity of GapMonitor.
+  /// Throws std::invalid_argument if there is no solution. `max_gap` [s]; `samples_kept` is the capacity of GapMonitor.
   ComponentChannel(const io::ComponentDescription& description, double max_gap,
                    const PromotionSettings& promotion_settings = {}, std::size_t samples_kept = GapMonitor::kCapacity);
 
@@ -105,16 +104,14 @@ class ComponentChannel {
   /// Processes a sample: stamp [ns], displacement [m]. Returns false, and counts the reason, if no force is to be sent.
   bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
 
-  /// Processes a pose: position [m] and rotation of B in A. `wrench` acts on B, in A's axes. Returns as for one
-  /// direction.
+  /// Processes a pose likewise: position [m] and rotation of B in A; `wrench` [N, N m] acts on B, in A's axes.
   bool push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation,
             component::Wrench& wrench);
 
   /// Adds a measured wrench on B at B's origin, in A's axes, to be compared with that of the pose of the same stamp.
   void addMeasured(std::int64_t stamp, const component::Wrench& wrench);
 
-  /// Returns the matched samples of the last `seconds`, for the one direction or for each of six; those of six
-  /// directions contain generalised forces.
+  /// Returns the matched samples of the last `seconds` for each direction; those of six have generalised forces.
   std::vector<std::vector<MatchedSample>> windows(double seconds) const;
 
   /// Sets the temperature [degC] of the samples from a stamp [ns] on. Returns false, and counts it, if the component's

@@ -15,7 +15,7 @@ class LatencyHistogram {
   std::uint64_t count() const { return count_; }
   double maximum() const { return 1e-9 * static_cast<double>(maximum_); }  ///< [s]
 
-  /// Returns the time [s] below which this fraction (0 to 1) of the samples lies: the upper edge of a bucket; 0 without
+  /// Returns the upper edge [s] of the bucket up to which this fraction (0 to 1) of the samples lies; 0 without
   /// samples.
   double percentile(double fraction) const {
     const double wanted = std::max(1.0, std::ceil(fraction * static_cast<double>(count_)));

@@ -1,5 +1,4 @@
-// Replacement of the configured model: a second model is computed in parallel (shadow), then takes over by a
-// cross-fade, which can be reversed. Independent of ROS.
+// Replacement of the configured model by a second one: first in parallel, then by a cross-fade. Independent of ROS.
 #pragma once
 
 #include <cstdint>
@@ -63,9 +62,7 @@ class CrossFade {
 
   /// Begins the cross-fade from the configured model to the other one.
   void take() { enter(RunStage::promoting); }
-
-  /// Begins the cross-fade back to the configured model, from the present weight; at weight 0 returns at once.
-  void giveBack();
+  void giveBack();  ///< begins the cross-fade back; at weight 0 returns to the configured model at once
 
   /// Returns to the configured model at once.
   void end();

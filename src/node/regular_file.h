@@ -1,5 +1,4 @@
-// Files that a parameter names, which must be regular files, so that no device, pipe or endless stream is read or
-// replaced.
+// Files that parameters name. They must be regular, so that no device, pipe or endless stream is read or replaced.
 #pragma once
 
 #include <cstddef>

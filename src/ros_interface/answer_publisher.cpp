@@ -69,8 +69,7 @@ class AnswerLink : public ros::SubscriberLink {
     ++handed_over_;
   }
 
-  // Called by the network thread. No socket was written since the last message, so only a full queue can have freed
-  // one.
+  // Called by the network thread before it writes sockets, so only a full queue can have released a message.
   void endTurn() {
     undelivered += losses_.end() ? 1 : 0;
     in_turn_ = false;
@@ -130,8 +129,7 @@ void NetworkTurns::end() {
   }
 }
 
-// A subscriber that connects before the link is added receives messages before it, so that its losses are not seen.
-// Then the topic is advertised again, so that the subscriber connects again.
+// Advertises the topic again if a subscriber connected before the link was added, because its losses would be missed.
 void AnswerPublisher::advertise(ros::NodeHandle& handle, ros::AdvertiseOptions& options) {
   int attempts = 0;
   do {

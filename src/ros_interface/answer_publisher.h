@@ -22,8 +22,7 @@ class AnswerPublisher {
   AnswerPublisher(const AnswerPublisher&) = delete;
   AnswerPublisher& operator=(const AnswerPublisher&) = delete;
 
-  /// Advertises a topic. `queue_size`: messages that may wait for each subscriber before the oldest is lost, at
-  /// least 2.
+  /// `queue_size`: messages that may wait for each subscriber before the oldest is lost, at least 2.
   template <class Message>
   void advertise(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size) {
     ros::AdvertiseOptions options;

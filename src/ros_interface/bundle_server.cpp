@@ -41,8 +41,7 @@ bool isWellFormed(const Bundle& bundle, const Channels& channels) {
 
 constexpr std::uint32_t kFewestBundles = 16;  // smallest number that may wait, unless the queue is shorter
 
-// Returns how many bundles may wait: fewer than single samples if their total size, which grows with the number of
-// components, would exceed a limit.
+// Limits the number of bundles that may wait by their total size, which grows with the number of components.
 std::uint32_t fewerOf(std::uint32_t queue_size, std::size_t components, std::size_t numbers) {
   constexpr std::size_t kMostBytes = 64 * 1024 * 1024;
   const std::size_t fitting = kMostBytes / node::longestBundle(components, numbers);

@@ -45,8 +45,7 @@ std::string privateParameterOf(const std::string& argument) {
   return is_private ? argument.substr(1, end - 1) : "";
 }
 
-// Returns the address of the master by roscpp's rules. Throws for a malformed one, at which roscpp would end the
-// process.
+// Returns the address of the master by roscpp's rules. Throws if it is malformed, where roscpp would end the process.
 std::string masterUri(const std::vector<std::string>& arguments) {
   const std::string option = "__master:=";
   const char* const from_environment = std::getenv("ROS_MASTER_URI");
@@ -99,8 +98,7 @@ namespace {
 
 void requestEnd(int /*signal*/) { ros::requestShutdown(); }
 
-// roscpp handles only SIGINT, but a service manager sends SIGTERM and a closed terminal SIGHUP. A signal that is
-// ignored, as SIGHUP under nohup, remains ignored.
+// roscpp handles only SIGINT. Service managers send SIGTERM, closed terminals SIGHUP, which nohup ignores.
 void endLikeAtInterrupt() {
   for (const int number : {SIGTERM, SIGHUP}) {
     if (std::signal(number, requestEnd) == SIG_IGN) {

@@ -41,8 +41,7 @@ struct ForceReference {
 /// Returns the measured force of the log. Throws std::invalid_argument if it has none.
 ForceReference measuredReference(const log::Log& log);
 
-/// Returns the force that a new component of a component file has for the log, simulated offline. Throws as
-/// simulateLog() does.
+/// Returns the force that a new component of the file has for the log, simulated offline. Throws as simulateLog() does.
 ForceReference simulatedReference(const component::Component& component, const log::Log& log,
                                   const std::string& config);
 

@@ -24,8 +24,7 @@ class LiveDiagnoser {
   /// Ends the thread and cancels a running diagnosis. The last findings remain available.
   virtual void stop() = 0;
 
-  /// Returns the model with the effects found in a component. Throws std::invalid_argument, which states why there is
-  /// none.
+  /// Returns a component's model with the effects found. Throws std::invalid_argument that states why there is none.
   virtual io::ComponentDescription found(const std::string& component) const = 0;
 
   /// Writes the findings on a component, as of the last turn of the thread.

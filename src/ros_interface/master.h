@@ -1,5 +1,4 @@
-// Calls of the master with time limits, because roscpp's own wait for ever if it hangs, and registration at a restarted
-// master.
+// Calls of the master with time limits, which roscpp's own calls lack, and registration at a restarted master.
 #pragma once
 
 #include <ros/master.h>
@@ -20,10 +19,9 @@ namespace rubber_suspension::ros_interface {
 /// Returns the arguments of a call, with this node's name first.
 XmlRpc::XmlRpcValue callArguments(const std::vector<std::string>& arguments = {});
 
-/// Calls a method at an address (http://HOST:PORT); waits at most `limit` [s], or until `stop` is set. Returns the
-/// answer, for masters and nodes [status, text, payload] with status 1 for success; nullopt without an answer or after
-/// a fault. An answer may have any type: XmlRpcValue throws XmlRpcException if it is not of the type as which it is
-/// read.
+/// Calls a method at an address (http://HOST:PORT) within `limit` [s], or until `stop` is set. Returns the answer, for
+/// masters and nodes [status, text, payload] with status 1 for success; nullopt without an answer or after a fault. An
+/// answer may have any type: XmlRpcValue throws XmlRpcException if it is read as another.
 std::optional<XmlRpc::XmlRpcValue> call(double limit, const std::string& uri, const std::string& method,
                                         const XmlRpc::XmlRpcValue& arguments, const std::atomic<bool>* stop = nullptr);
 

@@ -16,8 +16,7 @@ using XmlRpc::XmlRpcValue;
 
 constexpr int kDeepest = 16;
 
-// Returns text that is a number as a number. Excludes hexadecimal numbers, "nan" and "inf", which strtod also reads but
-// a component file does not accept.
+// Converts numbers, but not hexadecimal ones, "nan" and "inf": strtod reads them, a component file does not.
 json ofText(const std::string& text) {
   char* end = nullptr;
   errno = 0;

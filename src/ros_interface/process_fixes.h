@@ -1,5 +1,4 @@
-// Remedies for faults of roscpp that concern the whole process: its service ~get_loggers, and the reach of its slave
-// API.
+// Remedies for faults of roscpp that concern the whole process: its service ~get_loggers and its open slave API.
 #pragma once
 
 #include <ros/node_handle.h>

@@ -85,7 +85,7 @@ class ComponentDescription {
   /// of the ranges of its spring tables, else nullopt.
   std::optional<element::Range> validDisplacement() const;
 
-  /// Makes the component that is simulated. Throws as allElements() does.
+  /// Throws as allElements() does.
   component::Component makeComponent() const { return component::Component(allElements()); }
 
  private:
@@ -106,12 +106,10 @@ struct SixDirectionsDescription {
   component::SixNumbers frame_on_a = component::SixNumbers::Zero();
   component::SixNumbers frame_on_b = component::SixNumbers::Zero();
 
-  /// Returns the factor of the tables on the forces of a direction. Throws std::invalid_argument if a preload is
-  /// missing.
+  /// Returns the factor of the tables on a direction's forces. Throws std::invalid_argument if a preload is missing.
   double factorOf(component::Direction direction) const;
 
-  /// Makes the component that is simulated. Throws std::invalid_argument, which begins with the direction, if its
-  /// elements cannot be coupled or scaled.
+  /// Throws std::invalid_argument, which begins with the direction, if its elements cannot be coupled or scaled.
   component::SixDirections makeComponent() const;
 };
 
