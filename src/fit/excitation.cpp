@@ -1,4 +1,4 @@
-// Summary of the logs' motion and force.
+// Summary of the motion and force of logs.
 #include "fit/excitation.h"
 
 #include <fmt/format.h>
@@ -14,10 +14,10 @@ namespace rubber_suspension::fit {
 
 namespace {
 
-// White noise of a million samples stays within.
+// A million samples of white noise stay within this band.
 constexpr double kDeadBandOfNoise = 10.0;  // standard deviations, between both ends
 
-// As it is written to a component file.
+// Rounds to the digits with which a component file states the value.
 double inTwoDigits(double value) { return std::stod(fmt::format("{:.2g}", value)); }
 
 void addTemperature(const std::vector<gap::PreparedRecord>& records, Excitation& result) {
@@ -43,7 +43,7 @@ void addForces(const std::vector<gap::PreparedRecord>& records, Excitation& resu
   }
 }
 
-// Largest radius, where all logs have a displacement across that moves by itself.
+// Largest radius; 0 unless all logs have a displacement across that does not merely follow the other.
 double largestRadius(const std::vector<gap::PreparedRecord>& records) {
   constexpr double kLeastApart = 0.2;  // of the own motion
   double largest = 0.0;
@@ -65,8 +65,8 @@ double largestRadius(const std::vector<gap::PreparedRecord>& records) {
   return squares > kLeastApart * kLeastApart * own ? largest : 0.0;
 }
 
-// The error of the node, from the displacement as recorded and without samples to come: sum of mean squares per mass,
-// in units of the logs' forces. The start of a log, where the motion sets in with a jerk, does not count.
+// Error of the node, which has the displacement as recorded and no later samples: sum over the logs of the mean square
+// for a mass of 1 kg, relative to the force. The first twentieth of a log, which may start with a jerk, does not count.
 double errorInTime(const std::vector<gap::PreparedRecord>& records, double bandwidth) {
   const auto in_time =
       gap::simulate({{"inertia", {{"mass", {1.0}}, {"bandwidth", {bandwidth}}}}}, records, gap::asRecorded);

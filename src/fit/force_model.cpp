@@ -47,7 +47,7 @@ bool canBeMade(const std::vector<element::ElementDescription>& elements) {
   }
 }
 
-// Where elements are a Maxwell element and nothing else.
+// Returns the parameters of a single Maxwell element; nullopt for anything else.
 std::optional<element::BasicLaws::MaxwellNumbers> maxwellOf(const std::vector<element::ElementDescription>& elements) {
   element::BasicLaws laws;
   if (elements.size() == 1) {
@@ -108,7 +108,7 @@ Unknown unknownOf(std::size_t position, const element::ParameterInfo& parameter,
   return unknown;
 }
 
-// The parameters of an element that are sought; those that scale its force as linear ones, where all of these are.
+// Returns the unknown parameters of an element. Those that scale its force are linear only if all such are unknown.
 std::vector<Unknown> unknownsOf(std::size_t position, const element::ElementDescription& element,
                                 const std::vector<std::string>& held, const LogScales& scales) {
   std::vector<Unknown> unknowns;
@@ -248,7 +248,7 @@ void ForceModel::simulate(const Simulation& simulation) {
     component::SampleStream stream(component);
     const double* const temperature = log.temperature.empty() ? nullptr : log.temperature.data();
     const std::size_t accepted = stream.pushAll(log.stamp.data(), log.displacement.data(), temperature, size, first);
-    // A sample without a finite force, and all after it, counts as none at all.
+    // From the first sample without a finite force on, the force counts as 0.
     std::fill(first + accepted, first + size, 0.0);
     first += size;
   }
@@ -257,7 +257,7 @@ void ForceModel::simulate(const Simulation& simulation) {
   }
 }
 
-// Maxwell elements by themselves side by side.
+// Single Maxwell elements are simulated side by side.
 void ForceModel::simulate(const std::vector<Simulation>& simulations) {
   std::vector<element::BasicLaws::MaxwellNumbers> maxwells;
   std::vector<double*> forces;
@@ -378,7 +378,7 @@ numerics::SumOfSquares::Slope ForceModel::slope() {
   const Eigen::VectorXd scale = products_.diagonal()(taken).array().max(1e-300).rsqrt();
   const Eigen::MatrixXd of_basis = scale.asDiagonal() * products_(taken, taken) * scale.asDiagonal();
   const Eigen::MatrixXd shared = products(taken, Eigen::all).rightCols(unknowns);
-  // Part of the derivatives within the basis, in its coefficients.
+  // Coefficients of the projection of the derivatives onto the basis.
   const Eigen::MatrixXd shares =
       scale.asDiagonal() * numerics::solveLeastNorm(of_basis, Eigen::MatrixXd(scale.asDiagonal() * shared));
   return {shares.transpose() * products.col(0)(taken) - products.col(0).tail(unknowns),

@@ -1,5 +1,5 @@
-// The simulated force of a log as a function of a component's unknown parameters, those that scale a force set apart,
-// and least squares over the others.
+// Simulated force of logs as a function of a component's unknown parameters, in some of which it is linear, and least
+// squares over the others.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::fit {
 
-/// Where a parameter is searched.
+/// Range in which a parameter is searched.
 struct Reach {
   double lower;  ///< limits of the search
   double upper;
@@ -21,7 +21,7 @@ struct Reach {
   double start_upper;
 };
 
-/// A parameter that is sought, and its reach in search coordinates.
+/// An unknown parameter, with its reach in search coordinates.
 struct Unknown : Reach {
   std::size_t element;  ///< index into the elements
   std::string name;
@@ -29,19 +29,19 @@ struct Unknown : Reach {
   double given;
   bool logarithmic;  ///< the search runs over ln(value), else over value/scale
   double scale;      ///< 1 for logarithmic ones
-  bool linear;       ///< scales a force, as all such parameters of its element, which are all sought
+  bool linear;       ///< scales a force; so does no fixed parameter of its element
 
   double toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
   double toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
 };
 
-/// Largest displacement from the middle of its log [m].
+/// Returns half of the largest range of displacement in a log [m].
 double amplitudeOf(const std::vector<log::Log>& logs);
 
-/// The samples of some logs whose force was measured.
+/// The samples whose force was measured.
 struct Compared {
   std::vector<Eigen::Index> rows;  ///< among all samples
-  std::vector<Eigen::Index> runs;  ///< how many follow one another: noise is independent of that before a time gap
+  std::vector<Eigen::Index> runs;  ///< lengths of stretches without time gaps; noise is independent between stretches
   Eigen::VectorXd force;           ///< [N]
 };
 
@@ -51,17 +51,17 @@ struct ModelFit {
   Eigen::VectorXd coefficients;  ///< of the basis of the ForceModel
 };
 
-/// force = rest(nonlinear) + basis(nonlinear) * coefficients, at the samples that are compared. A coefficient of 1 is
-/// the linear unknown as given; after the linear unknowns, the basis has the constant 1, the force offset, and what
-/// else the rig may have added.
+/// Force at the compared samples: unscaled(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 stands for
+/// the given value of a linear unknown. After the linear unknowns, the basis has a constant 1 for the force offset, and
+/// the errors of the rig.
 ///
-/// Least squares run over the nonlinear unknowns alone (variable projection): the sum is of measured less simulated
-/// force [N^2], by the search coordinates, with the best coefficients for each. Its slope leaves out a term that is
-/// across the residual (L. Kaufman, BIT 15 (1975) 49-57), so the gradient is exact, and so is the optimum.
+/// Least squares run over the nonlinear unknowns alone (variable projection): the sum of squares of measured minus
+/// simulated force [N^2] has the best coefficients at each point. The slope omits a term of the Jacobian that is
+/// orthogonal to the residual (L. Kaufman, BIT 15 (1975) 49-57), so the gradient is exact, and so is the optimum.
 class ForceModel final : public numerics::SumOfSquares {
  public:
-  /// The elements have to be complete, `held` to name parameters as "type.name".
-  /// `rig`: of each log, as IdentificationOptions::rig. All but the elements have to outlive it.
+  /// The elements have to be complete. `held`: parameters as "type.name". `rig`: IdentificationOptions::rig. The logs
+  /// and `compared` have to outlive the object.
   ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
              const Compared& compared, const std::vector<std::string>& held,
              const std::vector<Eigen::MatrixXd>& rig = {});
@@ -75,34 +75,34 @@ class ForceModel final : public numerics::SumOfSquares {
   double unit() const override { return unit_; }
   double rounding() const override { return 1e-21; }
 
-  /// The best coefficients at these search coordinates. Throws std::invalid_argument for values that a law does not
-  /// accept together.
+  /// Returns the best coefficients at these search coordinates. Throws std::invalid_argument for values that a law does
+  /// not accept together.
   ModelFit fitAt(const Eigen::VectorXd& search);
-  /// The part of the measured force that the last fit leaves.
+  /// Returns the residual of the last fit [N].
   auto residual() const { return columns_.col(1 + bases()); }
-  /// Find the derivatives of the force by the search coordinates of the last fit, by differences; only what depends on
-  /// an unknown is simulated.
+  /// Finds the derivatives of the force by the search coordinates of the last fit, by differences; only parts that
+  /// depend on an unknown are simulated.
   void differentiate(const ModelFit& fit);
-  /// All columns: the rest of the measured force, the basis, the residual, the derivatives.
+  /// Returns all columns: measured minus unscaled force, the basis, the residual, the derivatives.
   const Eigen::MatrixXd& columns() const { return columns_; }
-  Eigen::MatrixXd takeColumns() { return std::move(columns_); }  ///< nothing is left to be asked for
-  /// By products of all columns those of the derivatives of the force by the search coordinates, then by relative
-  /// changes of the coefficients, or by the coefficients themselves where they are zero.
+  Eigen::MatrixXd takeColumns() { return std::move(columns_); }  ///< the object cannot be used afterwards
+  /// Returns the part of the products of all columns that belongs to the derivatives by the search coordinates, then by
+  /// relative changes of the coefficients, or by the coefficients themselves where they are 0.
   static Eigen::MatrixXd ofParameters(const ModelFit& fit, const Eigen::MatrixXd& products);
 
  private:
-  // Elements that are simulated together, for one column or as a share of the rest.
+  // Elements that are simulated together, for one column of the basis or for the unscaled force.
   struct Part {
     std::vector<element::ElementDescription> elements;  // one, or all where they act on each other
     std::vector<Eigen::Index> unknowns;                 // nonlinear ones that it depends on
-    Eigen::Index column = -1;                           // of the basis; -1: rest
+    Eigen::Index column = -1;                           // of the basis; -1: unscaled force
     Eigen::VectorXd values = {};                        // of its unknowns when last simulated
     bool simulated = false;
-    Eigen::VectorXd force = {};  // of the rest
+    Eigen::VectorXd force = {};  // unscaled force
   };
   using Force = Eigen::Ref<Eigen::VectorXd>;
   using Elements = std::vector<element::ElementDescription>;
-  /// A simulation over all logs, and where its force goes.
+  /// A simulation over all logs and the destination of its force.
   struct Simulation {
     Elements elements;
     double* force;
@@ -117,7 +117,7 @@ class ForceModel final : public numerics::SumOfSquares {
   Elements elementsAt(const Part& part, const Eigen::VectorXd& values) const;
   void simulate(const std::vector<Simulation>& simulations);
   void simulate(const Simulation& simulation);
-  /// Parts whose unknowns did not change are not simulated again.
+  /// Simulates the parts whose unknowns have changed.
   void evaluate(const Eigen::VectorXd& search);
 
   std::vector<element::ElementDescription> elements_;
@@ -129,11 +129,11 @@ class ForceModel final : public numerics::SumOfSquares {
   std::vector<bool> signed_columns_;  // for each column of the basis, whether its coefficient may be negative
   std::vector<Part> parts_;
   Eigen::MatrixXd columns_;   // columns()
-  Eigen::VectorXd all_;       // force at all samples; none where all are compared
-  Eigen::MatrixXd moved_;     // moved forces of parts with an unknown that another part has, too
-  ModelFit last_;             // of the sum that was asked for last
-  Eigen::MatrixXd products_;  // of the basis there
-  std::vector<double> dt_;    // of each log [s]; empty where not all have even steps or are compared throughout
+  Eigen::VectorXd all_;       // force at all samples; empty if all are compared
+  Eigen::MatrixXd moved_;     // forces at moved unknowns, of further parts that have the same unknown
+  ModelFit last_;             // of the last call of at()
+  Eigen::MatrixXd products_;  // of the basis at last_
+  std::vector<double> dt_;    // of each log [s]; empty unless all logs have even steps and are compared throughout
 };
 
 }  // namespace rubber_suspension::fit

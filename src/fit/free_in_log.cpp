@@ -1,4 +1,4 @@
-// Columns of what is free in each log.
+// Columns and priors of the nuisance parameters of a log.
 #include "fit/free_in_log.h"
 
 #include <algorithm>
@@ -59,10 +59,10 @@ Eigen::MatrixXd PerLogNuisances::columns(const log::Record& record, std::size_t 
 }
 
 Eigen::VectorXd PerLogNuisances::costs(const gap::PreparedRecord& record) const {
-  constexpr double kWalk = 0.1;  // standard deviation, of the force
-  constexpr double kGain = 0.5;  // likewise: what laws and gains have in common is the laws'; so of friction's factor
+  constexpr double kWalk = 0.1;         // standard deviation of the trend, relative to the force
+  constexpr double kGain = 0.5;         // of a gain, and of friction's factor: what a law explains as well is the law's
   constexpr double kBelowMotion = 0.5;  // of the lowest frequency of the motion: faster forces are the component's
-  constexpr double kNone = 1e6;         // the cost of what a trend does not have
+  constexpr double kNone = 1e6;         // cost of a half cosine that is excluded
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(count());
   if (trend) {
     costs[0] = record.rig.one_deviation / kWalk;
@@ -93,7 +93,7 @@ gap::OwnUnknowns PerLogNuisances::unknowns(const gap::PreparedRecord& record, st
 
 gap::PreparedRecord PerLogNuisances::addedTo(const gap::PreparedRecord& record, std::size_t place,
                                              const Eigen::VectorXd& simulated) const {
-  constexpr double kWide = 1e3;  // times the force: what has no prior
+  constexpr double kWide = 1e3;  // standard deviation of parameters without a prior, relative to the force
   gap::PreparedRecord result = record;
   if (!any()) {
     return result;

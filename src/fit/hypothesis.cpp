@@ -12,7 +12,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// Share of the component's force that a softening term takes at scale 1, by the factors of its law.
+// Returns the share by which a softening term at scale 1 reduces the force, from the factors of its law.
 gap::Forces softenedShare(const BasisTerm& term, const std::vector<gap::PreparedRecord>& records) {
   const auto law = std::get<std::shared_ptr<const element::ForceEffect>>(element::makeElement(term.at(term.typical)));
   std::vector<double> memory(law->memorySize());
@@ -63,7 +63,7 @@ void addTerms(const std::vector<Candidate>& candidates, int candidate, const std
   }
 }
 
-// The contained law that a candidate extends and no other member does, preferably the first of `preferred`.
+// The contained law that a candidate extends: if possible one that no other member does, the first of `preferred`.
 std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, const std::vector<int>& preferred,
                           const std::vector<int>& by_others) {
   const std::vector<int> contained = containedBy(candidates, candidates[static_cast<std::size_t>(larger)]);
@@ -148,7 +148,7 @@ bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& lar
            contains(candidates[static_cast<std::size_t>(member)], candidates[static_cast<std::size_t>(one)]);
   };
   bool found = false;
-  do {  // of three at most
+  do {  // a set has three members at most
     found =
         found || (smaller.size() <= order.size() && std::equal(smaller.begin(), smaller.end(), order.begin(), does));
   } while (std::next_permutation(order.begin(), order.end()));

@@ -21,21 +21,21 @@ struct TablePoint {
   std::complex<double> complexStiffness() const { return std::polar(stiffness, loss_angle); }
 };
 
-/// A table as it was measured.
+/// The rows of a table and what its file states about them.
 struct MeasuredTable {
   std::string name;
   std::vector<TablePoint> points;
-  std::vector<std::string> notes;  ///< of its reading: columns that were ignored
+  std::vector<std::string> notes;  ///< of the reader, such as columns that were ignored
   /// Standard deviation of a row's K*, RMS of |K*_measured - K*_true|/|K*|, where the laboratory states it.
   std::optional<double> uncertainty = std::nullopt;
   bool accept_units = false;  ///< the units of its stiffness are not checked
 };
 
-/// Throws std::invalid_argument for a point that is no loop, by its numbers and what would be accepted.
+/// Throws std::invalid_argument for fewer than 2 points, or for a point out of range, with its numbers and the range.
 void checkPoints(const std::vector<TablePoint>& points);
 
-/// The gap of a table: RMS over its rows of |K*_model - K*|/|K*| [-]. A sine of K* and amplitude A has the force K* A,
-/// so this is the RMS of the force difference over the standard deviation of the force, each row counting alike.
+/// Returns the gap of a table: RMS over its rows of |K*_model - K*|/|K*| [-]. A sine of K* and amplitude A has the
+/// force K* A, so this is the RMS of the force difference over that of the force, with equal weights of the rows.
 double gapOfTable(const std::vector<TablePoint>& points, const std::vector<std::complex<double>>& model);
 
 }  // namespace rubber_suspension::fit
