@@ -11,9 +11,9 @@ namespace rubber_suspension::fit {
 namespace {
 
 constexpr double kEnoughGain = 1e-3;       // of the gap, for a further step
-constexpr double kSlow = 0.2;              // of what a fit still lacks: at least five more such steps would be needed
-constexpr int kMostHalvings = 6;           // of a step that does not lead down
-constexpr double kNegligibleScale = 1e-9;  // of the typical scale: a term of this scale is left out
+constexpr double kSlow = 0.2;              // of the reduction that a fit still needs: it would need five such steps
+constexpr int kMostHalvings = 6;           // of a step that does not reduce the cost
+constexpr double kNegligibleScale = 1e-9;  // of the typical scale: a term of this scale is omitted
 
 // Mean offset (or gain) of the logs that these unknowns do not explain. `of_columns`: the mean offset of each column,
 // and last that of the residual.
@@ -187,8 +187,8 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
   if (hypothesis.free_in_log.ofTerms()) {
     takeCommon(hypothesis, blocks, further, result.parameters);
   }
-  // At the end of a fit a further step does not reduce the cost: the law cannot do what this step promises, so that
-  // blocks are predicted without it.
+  // At the end of a fit a further step does not reduce the cost, because the law does not follow its linearisation; so
+  // blocks are predicted without this step.
   const Eigen::VectorXd not_taken = limits.about_its_end ? further : Eigen::VectorXd::Zero(further.size());
   const std::vector<double> errors =
       crossValidate(blocks, [&](const Eigen::MatrixXd& gram) { return Eigen::VectorXd(step(gram) - not_taken); });
@@ -197,7 +197,7 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
     result.blocks.push_back({errors[b], blocks.weight[b], blocks.record[b]});
     held_out += errors[b] * blocks.weight[b];
   }
-  // A fit does not predict better than it fits: where it does so by chance, its held-out errors are those of the fit.
+  // Held-out errors are less than those of the fit only by chance; they are then raised to those of the fit.
   if (const double fitted = result.gap * result.gap; limits.about_its_end && held_out > 0.0 && held_out < fitted) {
     for (gap::PartError& block : result.blocks) {
       block.error *= fitted / held_out;

@@ -58,7 +58,7 @@ std::optional<std::vector<element::ElementDescription>> lawOf(const Hypothesis& 
   }
 }
 
-// Records with the displacement behind elements that change it alone, which is the force of a spring of 1 N/m there.
+// Records with the displacement behind elements that only change it: the force of a spring of 1 N/m behind these.
 std::vector<gap::PreparedRecord> displacedBy(std::vector<element::ElementDescription> path,
                                              const std::vector<gap::PreparedRecord>& records) {
   path.push_back({"spring", {{"stiffness", {1.0}}}});
@@ -137,7 +137,7 @@ bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interac
   if (!term.unit_effect || term.on_rig) {
     return term.unit_effect != nullptr;
   }
-  // A factor on the simulated force would scale what sits on the rig, too.
+  // A factor on the simulated force would also scale the forces of the rig.
   const bool factors_known = !interaction.on_rig || !(term.softening || interaction.softens);
   return !interaction.displaces && factors_known && (term.softening || !interaction.scales);
 }
@@ -202,9 +202,8 @@ ForceColumn HypothesisForces::moved(const Place& place, Eigen::VectorXd Paramete
   }));
 }
 
-// The entries of the terms at work that act on the displacement alone, if nothing else does and nothing behind them
-// differs from a sum of forces times factors, the rig's known; empty otherwise. An excerpt's lead-in is at steps of its
-// own.
+// Returns the entries of the nonzero terms that act on the displacement, if all other terms follow from unit effects
+// behind them; otherwise, and for excerpts, whose lead-in has a time step of its own, returns nothing.
 std::vector<element::ElementDescription> HypothesisForces::pathOf(const Place& place) const {
   if (!records_ || place.hypothesis.law || !place.interaction.displaces || of_model_.displaces || of_model_.scales ||
       of_model_.on_rig || std::any_of(records().begin(), records().end(), [](const log::Record& record) {
@@ -233,7 +232,7 @@ std::vector<element::ElementDescription> HypothesisForces::pathOf(const Place& p
   return path;
 }
 
-// Behind a delay or a free play all other terms are known again, by their effects on the displacement that is left.
+// Behind a delay or a free play all other terms follow from unit effects again, those for the changed displacement.
 std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::ElementDescription> path,
                                                          const Place& place, const std::vector<bool>& active,
                                                          int threads) const {
@@ -273,7 +272,7 @@ std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::El
     if (!isKnownBehind(t)) {
       columns[size + t] = termColumn(place, t);
     } else {
-      // An additive effect is not needed for others, and would only use memory.
+      // The unit effect of an additive term is not needed for other terms, and would only use memory.
       ForceColumn effect = !atWork(t)       ? columnOf(effectOfEntry(term, behind))
                            : term.softening ? term.unit_effect
                                             : std::move(term.unit_effect);
@@ -314,8 +313,8 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
   return columns;
 }
 
-// Where a term's effect is known the force is linear in its scale. Where others displace the component, that is about
-// so, and enough to tell whether a term at nothing is worth a step.
+// If a term's unit effect is known, the force is linear in its scale. If other terms displace the component, this is
+// only approximate, but good enough to decide whether a term of scale 0 is worth a step.
 ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term, ForceColumn unit_effect) {
   const BasisTerm& basis_term = place.hypothesis.terms[term];
   if (basis_term.on_rig || !(basis_term.softening || place.interaction.softens)) {

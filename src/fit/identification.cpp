@@ -1,4 +1,4 @@
-// Identification: variable projection over several starts, covariance of the best fit, what the log does not show.
+// Identification: variable projection over several starts, covariance of the best fit, undetermined combinations.
 #include "rubber_suspension/fit/identification.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ constexpr std::size_t kFewestCompared = 50;  // samples
 constexpr double kTail = 0.025;              // on either side of a 95 % interval
 constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
-constexpr double kSameResidual = 1e-4;      // relative, by which starts count as ended at the same optimum
+constexpr double kSameResidual = 1e-4;      // relative difference up to which starts count as ended at the same optimum
 
 void checkLog(const log::Log& log, std::size_t number) {
   const std::size_t size = log.stamp.size();
@@ -110,7 +110,7 @@ std::vector<Eigen::VectorXd> startsOf(const ForceModel& model, const Identificat
   std::vector<Eigen::VectorXd> starts = {eachOf(model, [](const Unknown& unknown) {
     return std::clamp(unknown.toSearch(unknown.given), unknown.lower, unknown.upper);
   })};
-  // Without a nonlinear unknown the problem is convex and one start tells all.
+  // Without a nonlinear unknown the problem is convex, so that one start suffices.
   const std::size_t count = model.nonlinear().empty() ? 1 : static_cast<std::size_t>(std::max(1, options.starts));
   while (starts.size() < count) {
     starts.push_back(eachOf(model, [&](const Unknown& unknown) {
@@ -169,7 +169,7 @@ IdentifiedParameter identified(const Unknown& unknown, double value, double stan
   if (unknown.logarithmic && value > 0.0) {
     result.lower = value * std::exp(-reach);
     result.upper = value * std::exp(reach);
-  } else if (unknown.logarithmic) {  // at zero: the standard deviation counts in the given value
+  } else if (unknown.logarithmic) {  // at 0: the standard deviation is in units of the given value
     result.upper = reach * unknown.given;
   } else {
     const double unit = unknown.linear && value != 0.0 ? std::abs(value) : unknown.scale;
@@ -212,7 +212,7 @@ std::vector<UndeterminedDirection> undeterminedOf(const std::vector<std::string>
   return result;
 }
 
-// Parameters with their intervals, and what the logs hardly show of them.
+// Describes the parameters with their intervals, and the combinations that the logs hardly determine.
 void describeParameters(const ForceModel& model, const ModelFit& fit, const Covariance& covariance, double quantile,
                         Identification& result) {
   std::vector<Unknown> unknowns = model.nonlinear();
@@ -233,7 +233,7 @@ void describeParameters(const ForceModel& model, const ModelFit& fit, const Cova
   result.undetermined = undeterminedOf(names, covariance);
 }
 
-// Gives friction without dead band one that keeps the noise of the displacement from being taken for reversals.
+// Gives friction without dead band one, so that noise of the displacement does not count as reversals.
 void addDeadBands(std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
                   std::vector<std::string>& notes) {
   const double negligible = kSmallestDeadBand * amplitudeOf(logs) / kDeadBandInStandardDeviations;
@@ -252,7 +252,7 @@ void addDeadBands(std::vector<element::ElementDescription>& elements, const std:
   }
 }
 
-// Elements that the fit left without force cannot be built; the others keep their order.
+// Removes elements without force, which cannot be built; the others keep their order.
 void dropElementsWithoutForce(Identification& result) {
   std::vector<int> new_index(result.elements.size(), -1);
   std::vector<element::ElementDescription> kept;
@@ -285,7 +285,7 @@ void describeResiduals(Identification& result, const Eigen::VectorXd& residual, 
   }
 }
 
-// Values and uncertainties of the parameters by the best fit, where the model was evaluated last.
+// Describes values and uncertainties of the parameters of the best fit, at which the model was evaluated last.
 void describeFit(Identification& result, ForceModel& model, const ModelFit& fit, const Compared& compared) {
   const Eigen::VectorXd residual = model.residual();
   const Autoregression noise = fitAutoregression(residual, compared.runs);

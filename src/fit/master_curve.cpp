@@ -30,17 +30,17 @@ namespace {
 using Eigen::VectorXd;
 using element::ElementDescription;
 
-constexpr double kPerDecade = 2.0;  // elements: they leave 2e-4 of a springpot
+constexpr double kPerDecade = 2.0;  // elements: they approximate a springpot to 2e-4
 constexpr double kBeyond = 1.5;     // decades of elements beyond the rows
-constexpr double kScan = 0.25;      // decades, at the ends of the table, between places where the search may begin
-constexpr double kStep = 1e-4;      // of decades and logarithms, for differences
-constexpr double kNear = 0.1;       // of an amplitude: a bench holds it to less
+constexpr double kScan = 0.25;  // decades between coldest and warmest rows, from one start of the search to the next
+constexpr double kStep = 1e-4;  // of decades and logarithms, for difference quotients
+constexpr double kNear = 0.1;   // relative to the amplitude: benches control it more closely
 
 std::shared_ptr<const element::TemperatureShift> shiftOf(const ElementDescription& law) {
   return std::get<std::shared_ptr<const element::TemperatureShift>>(element::makeElement(law));
 }
 
-// Places of values that differ by less than a width from the first of them, in ascending order of the values.
+// Returns the ascending index of each value's level: values that differ by less than `width` from its least.
 std::vector<std::size_t> levelsOf(const std::vector<double>& values, double width) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -100,7 +100,7 @@ Eigen::MatrixXd basisOf(const VectorXd& decades, const VectorXd& scale, const Ve
   return basis;
 }
 
-// Stiffnesses of least squares, none negative.
+// Returns the stiffnesses of least squares, none of them negative.
 VectorXd stiffnessesOf(const Eigen::MatrixXd& basis, const VectorXd& measured) {
   return numerics::nonNegativeLeastSquares(basis.transpose() * basis, basis.transpose() * measured,
                                            std::vector<bool>(static_cast<std::size_t>(basis.cols()), false));
@@ -143,7 +143,7 @@ std::vector<Group> groupsOf(const std::vector<TablePoint>& points) {
 // log10 a_T and ln b_T of each row.
 using Moves = Eigen::MatrixX2d;
 
-// A way to shift rows by a few unknowns. Throws std::invalid_argument where there is none.
+// Shifts of the rows as a function of a few unknowns. Throws std::invalid_argument for unknowns without shifts.
 using Shifting = std::function<Moves(const VectorXd& unknowns)>;
 
 struct Shifted {
@@ -244,7 +244,7 @@ class Superposition {
   }
 
   // The largest shift by Arrhenius with which the frequencies of neighbouring temperatures overlap, in decades between
-  // the coldest and the warmest: beyond, rows that do not meet agree with anything.
+  // the coldest and the warmest: any shift beyond it fits, because the curves do not meet.
   double largestShift() const {
     const double whole = inverseOf(levels_.front().temperature) - inverseOf(levels_.back().temperature);
     double largest = std::numeric_limits<double>::infinity();
@@ -301,7 +301,7 @@ class Superposition {
       }
       first += 2 * size;
     }
-    constexpr double kMost = 0.9;  // ten rows of a sweep tell no more
+    constexpr double kMost = 0.9;  // more cannot be determined from the ten or so rows of a sweep
     const double correlation = std::clamp(products / residual.squaredNorm(), 0.0, kMost);
     return (1.0 + correlation) / (1.0 - correlation);
   }
@@ -381,7 +381,7 @@ class Superposition {
     return static_cast<std::size_t>(std::min_element(levels_.begin(), levels_.end(), nearer) - levels_.begin());
   }
 
-  // The level in the middle stays where the law has it. `vertically`: b_T is free, too.
+  // The middle level keeps its shift by the law. `vertically`: b_T is free, too.
   Shifted byThemselves(const Moves& by_law, bool vertically) const {
     constexpr double kFar = 1.5;   // decades
     constexpr double kMost = 0.7;  // of ln b_T
@@ -423,7 +423,7 @@ class Superposition {
       curve.shifts.push_back(
           {levels_[l].temperature, free.moves(row, 0), l == middle() ? 0.0 : free.deviations[next++]});
     }
-    // From where the law has the middle one.
+    // Shifts are relative to the middle level, which the law shifts by this.
     const double there = curve.shifts[middle()].decades;
     const double offset = curve.decadesAt(levels_[middle()].temperature) - there;
     for (FoundShift& shift : curve.shifts) {
@@ -441,7 +441,7 @@ class Superposition {
 
 ElementDescription spring(double stiffness) { return {"spring", {{"stiffness", {stiffness}}}}; }
 
-// A stiffness of 0 is no stiffness: as small as a fit sees nothing of.
+// Share of the stiffness that replaces 0, which elements do not accept; too small to be noticed in a fit.
 constexpr double kNothing = 1e-4;
 
 std::vector<ElementDescription> prony(const std::vector<TablePoint>& points, const VectorXd& decades,
@@ -521,7 +521,7 @@ std::optional<SuperpositionRest> leftBySuperposition(const std::vector<TablePoin
   }
   try {
     return Superposition(points, middleTemperature(points)).leftByShifts();
-  } catch (const std::invalid_argument&) {  // nothing tells the shifts
+  } catch (const std::invalid_argument&) {  // the table does not determine the shifts
     return std::nullopt;
   }
 }

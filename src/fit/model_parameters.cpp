@@ -1,4 +1,4 @@
-// A model's model parameters as unknowns.
+// Parameters of a model as unknowns.
 #include "fit/model_parameters.h"
 
 #include <fmt/format.h>

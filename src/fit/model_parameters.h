@@ -14,28 +14,28 @@
 
 namespace rubber_suspension::fit {
 
-/// Numbers that are the parameters of the model.
+/// The numbers that a fit varies.
 enum class Level {
-  specification,  ///< those that the user wrote: K_st, K_n, K_max, f_h, ...; of a list of elements, all parameters
+  specification,  ///< numbers of the user: K_st, K_n, K_max, f_h, ...; for a list of elements, all their parameters
   elements,       ///< those of the estimated elements: every stiffness, every break frequency
 };
 
 /// A number that is known before any measurement.
 struct KnownNumber {
   std::string name;  ///< a key of the specification, or of a parameter of an element
-  double logarithm;  ///< of what is known
+  double logarithm;  ///< of the known value
   double deviation;  ///< standard deviation of the logarithm
   bool of_sheet;     ///< else of a single element
   bool of_base;      ///< of the sheet or the listed elements, not of an added element
 };
 
-/// A model's model parameters as logarithms of their ratios to the configured values, so that 0 is "as configured".
+/// Parameters of a model as logarithms of their ratios to the configured values, so that 0 is "as configured".
 ///
-/// A specification is not free: most combinations of stiffnesses have no model. The models of springs, dashpots and
-/// Maxwell elements are therefore moved in coordinates in which every point has one (static stiffness, relaxing
-/// stiffness K_max - K_st, ratio alpha of neighbouring elements, frequencies, damping); the specification follows from
-/// them. Other models are moved in the numbers of their specification. The point of operation (nominal frequency and
-/// amplitude) and counts are no unknowns.
+/// Most combinations of the stiffnesses of a specification have no model. The models of springs, dashpots and Maxwell
+/// elements are therefore varied in coordinates in which every point has one (static stiffness, relaxing stiffness
+/// K_max - K_st, ratio alpha of neighbouring elements, frequencies, damping); the specification follows from them.
+/// Other models are varied in the numbers of their specification. The point of operation (nominal frequency and
+/// amplitude) and counts are fixed.
 class ModelParameters {
  public:
   ModelParameters(const io::ComponentDescription& description, Level level);
@@ -43,45 +43,44 @@ class ModelParameters {
   Eigen::Index size() const { return static_cast<Eigen::Index>(names_.size()); }
   const std::vector<std::string>& names() const { return names_; }
 
-  /// The bound on |logarithm| of each parameter: a factor of 3 on what was specified, beyond which it is another
-  /// component, or two deviations of a number that may be off by more; of 10 on values of single elements, which stand
-  /// for each other; of 100 on alpha, relaxing stiffness and damping, which are what sheets leave between their
-  /// numbers.
+  /// Bounds on |logarithm| of the parameters: a factor of 3 for specified numbers, beyond which it is another
+  /// component, and 10 for values of single elements, which can replace each other, or two standard deviations if that
+  /// is more; 100 for alpha, relaxing stiffness, break frequency and damping, which sheets do not state directly.
   const Eigen::VectorXd& bounds() const { return bounds_; }
 
-  /// Largest ratio by which a number of the sheet may be wrong: two deviations of the least certain one, and no less
-  /// than for any component.
+  /// Returns the largest ratio by which a number of the sheet may be wrong: two standard deviations of the least
+  /// certain one, but at least 3.
   double largestRatio() const;
 
   /// Numbers that are known beforehand: those of the sheet, then values of single elements.
   const std::vector<KnownNumber>& known() const { return known_; }
 
-  /// Deviation of each known number in standard deviations of its logarithm; the squares add up to chi^2. Defined for
-  /// any point, even without a component.
+  /// Returns the deviation of each known number in standard deviations of its logarithm; the squares add up to chi^2.
+  /// Defined for any point, even one without a component.
   Eigen::VectorXd departures(const Eigen::VectorXd& logarithms) const;
 
-  /// Their derivatives by the logarithms, a row for each known number.
+  /// Returns the derivatives of departures() by the logarithms, a row for each known number.
   Eigen::MatrixXd departureSlopes(const Eigen::VectorXd& logarithms) const;
 
-  /// Where fits may start: as configured, with a ladder of Maxwell elements that leans to either end of its band, and,
-  /// where the sheet leaves next to nothing of it, with a usual relaxing stiffness.
+  /// Returns starts of fits: as configured, with the Maxwell stiffness concentrated at either end of its band, and with
+  /// a usual relaxing stiffness if that of the sheet is nearly 0.
   std::vector<Eigen::VectorXd> starts() const;
 
-  /// True if only the order of magnitude is known of all numbers of the sheet, or of all listed elements.
+  /// Returns true if only the order of magnitude is known of all numbers of the sheet, or of all listed elements.
   bool isGuess() const;
 
-  /// The configured value of a parameter of an element, at the level of elements [SI].
+  /// Returns the configured value of a parameter of an element, at the level of elements [SI].
   double configured(Eigen::Index parameter) const { return slots_[static_cast<std::size_t>(parameter)].configured; }
 
-  /// The component with these logarithms of ratios. Throws std::invalid_argument where there is none.
+  /// Returns the component with these logarithms of ratios. Throws std::invalid_argument if there is none.
   io::ComponentDescription apply(const Eigen::VectorXd& logarithms) const;
 
-  /// Its elements; nothing where the specification has no solution or an element refuses its parameters.
+  /// Returns its elements; nullopt if the specification has no solution or an element rejects its parameters.
   std::optional<std::vector<element::ElementDescription>> elements(const Eigen::VectorXd& logarithms) const;
 
-  /// The changes that the user would have to write: new over old value of every number of the specification, or of
-  /// every parameter of the elements, that is not equal. Defined for any point, even without a component, as may result
-  /// from a fit to a single log.
+  /// Returns the changes that the user would have to write: new over old value of every number of the specification, or
+  /// of every parameter of the elements, that differs. Defined for any point, even one without a component, as may
+  /// result from a fit to a single log.
   std::vector<std::pair<std::string, double>> ratios(const Eigen::VectorXd& logarithms) const;
 
  private:
@@ -120,10 +119,10 @@ class ModelParameters {
   void addElements(std::vector<element::ElementDescription> Point::* list);
   void add(const std::string& name, Slot slot, double largest_ratio);
   void addKnown(std::size_t of_base);
-  /// A number of the sheet, whether or not a component has the numbers of the point.
+  /// Returns a number of the sheet, whether or not a component has the numbers of the point.
   double sheetNumber(const Point& point, const std::string& key) const;
   Point movedBy(const Eigen::VectorXd& logarithms) const;
-  /// Point with its specification.
+  /// Returns the point with its specification.
   Point pointAt(const Eigen::VectorXd& logarithms) const;
   void specify(Point& point) const;
   double sheetDeviation(const std::string& key) const { return configured_.specification.tolerance().of(key); }

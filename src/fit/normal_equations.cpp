@@ -17,11 +17,11 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kCyclesPerBlock = 4.0;  // of the motion's mean frequency: longer than what a residual remembers
+constexpr double kCyclesPerBlock = 4.0;  // of the motion's mean frequency: longer than residuals are correlated
 constexpr double kMostBlocks = 24.0;
 constexpr double kFewestBlocks = 8.0;
-constexpr double kBlocksOfAll = 480.0;  // many logs have fewer each: they predict each other
-constexpr double kBlocksOfOne = 2.0;    // one tells the log's own unknowns, the other has the error
+constexpr double kBlocksOfAll = 480.0;  // of all logs together: many logs predict each other, so that each needs fewer
+constexpr double kBlocksOfOne = 2.0;    // of one log: one determines the log's own unknowns, the other has the error
 
 using Places = std::vector<Eigen::Index>;
 
@@ -42,14 +42,14 @@ void prepare(Eigen::Index width, Kept kept, const PerLogNuisances& free, BlockGr
   }
 }
 
-// These and the next ones from `first` on.
+// Appends `count` places from `first` on.
 Places with(Places places, Eigen::Index first, Eigen::Index count) {
   places.resize(places.size() + static_cast<std::size_t>(count));
   std::iota(places.end() - count, places.end(), first);
   return places;
 }
 
-// Some columns over samples of a log from `first` on, as many as the matrix has rows, weighted.
+// Copies some columns of a log, weighted, from sample `first` on into the rows of a matrix.
 void fill(const std::vector<ForceColumn>& columns, const Places& which, std::size_t r, Eigen::Index first,
           double weight, Eigen::Ref<Eigen::MatrixXd> to) {
   for (std::size_t j = 0; j < which.size(); ++j) {
@@ -58,7 +58,7 @@ void fill(const std::vector<ForceColumn>& columns, const Places& which, std::siz
   }
 }
 
-// Leaves out samples that do not count.
+// Sets samples that do not count to 0.
 void leaveOut(const log::Record& record, Eigen::Index first, Eigen::MatrixXd& columns) {
   if (record.counts.size() > 0) {
     columns.array().colwise() *= record.counts.segment(first, columns.rows()).array();
@@ -74,7 +74,7 @@ void BlockGrams::addPrior() {
   }
 }
 
-// Sums, not differences: what is zero without a fold has to be so to the last bit.
+// Sums rather than differences, so that what is zero without a fold is exactly zero.
 void BlockGrams::sumUp() {
   sum = prior;
   const int folds = std::max(kFolds, 1 + *std::max_element(fold.begin(), fold.end()));
@@ -107,19 +107,19 @@ BlockGrams BlockGrams::of(const std::vector<Eigen::Index>& unknowns) const {
   return result;
 }
 
-// Factors of the products.
+// The columns whose products are requested.
 struct LogBlocks::Request {
   const gap::Forces& base;
   const std::vector<ForceColumn>& columns;
-  PerLogNuisances free;  // all of it that any of the results has
+  PerLogNuisances free;  // union over the results
   Kept kept;
   Eigen::Index width;  // of the columns and the residual
   Places fresh;        // columns to be multiplied by all others
-  Places known;        // those that no fit changes
-  Places index;        // of these among all that no fit changes
+  Places known;        // columns that no fit changes
+  Places index;        // of these in known_
 };
 
-// One log without what the rig may have added: columns, residual, what is free in it.
+// Products of one log without errors of its rig: columns, residual, nuisance parameters.
 struct LogBlocks::OfLog {
   numerics::BlockProducts products;
   numerics::BlockPlaces places;
@@ -150,7 +150,7 @@ LogBlocks::LogBlocks(const std::vector<gap::PreparedRecord>& records, std::vecto
   });
 }
 
-// None where no sample counts, as where a sensor gave nothing for some cycles.
+// Omits blocks in which no sample counts, such as those in which a sensor failed.
 std::vector<LogBlocks::Block> LogBlocks::cut(const log::Record& record, std::size_t logs) {
   const double cycles = record.duration() * record.mean_frequency;
   const double most = std::clamp(std::floor(kBlocksOfAll / static_cast<double>(logs)), kBlocksOfOne, kMostBlocks);
@@ -168,7 +168,7 @@ std::vector<LogBlocks::Block> LogBlocks::cut(const log::Record& record, std::siz
   return blocks;
 }
 
-// The residual of a log, and what is free in it.
+// Returns the residual of a log and the columns of its nuisance parameters.
 Eigen::MatrixXd LogBlocks::ownOf(const Request& request, std::size_t r) const {
   const Eigen::Index free = request.free.count();
   Eigen::MatrixXd columns(records_[r].size(), free + 1);
@@ -177,7 +177,7 @@ Eigen::MatrixXd LogBlocks::ownOf(const Request& request, std::size_t r) const {
   return columns;
 }
 
-// Products in the blocks of one log of columns, residual, unknowns of the log and errors of the rig.
+// Returns the products of columns, residual, unknowns of the log and errors of the rig in each block of a log.
 std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request& request) const {
   const Eigen::Index rig = records_[r].rig.columns.cols();
   const Eigen::MatrixXd of_log = ownOf(request, r);
@@ -230,8 +230,8 @@ LogBlocks::OfLog LogBlocks::ofLog(std::size_t r, const Request& request) const {
   return result;
 }
 
-// Adds a log without what is free in it. Trends and zeros of the displacement are in units that count as the standard
-// deviation of the log's force.
+// Adds a log after elimination of its nuisance parameters. Trends and offsets of the displacement are in units of the
+// standard deviation of the log's force.
 void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, const PerLogNuisances& free,
                     BlockGrams& result) const {
   const gap::PreparedRecord& record = records_[r];

@@ -1,4 +1,4 @@
-// Normal equations of a fit by blocks of the logs, and what they tell of data that are left out.
+// Normal equations of a fit by blocks of the logs, and the held-out errors that follow from them.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,21 +14,21 @@ namespace rubber_suspension::fit {
 
 constexpr int kFolds = 4;
 
-/// Normal equations of blocks of the logs, from which any fit that leaves blocks out follows at once. Columns: own
-/// parameters, basis terms, and last the residual at the point of linearisation. Unknowns of one log alone, and what
-/// the rig may have added to it, are taken out log by log, so that size and time grow with the number of logs, and not
-/// with its cube. Each log is weighted such that residuals are in units of its force's standard deviation, and all logs
-/// count alike.
+/// Normal equations of blocks of the logs, from which any fit without some of the blocks follows at once. Columns:
+/// model parameters, basis terms, and last the residual at the point of linearisation. Nuisance parameters of a log and
+/// errors of its rig are eliminated log by log, so that size and time grow with the number of logs, and not with its
+/// cube. Each log is weighted such that residuals are in units of its force's standard deviation, and all logs count
+/// alike.
 struct BlockGrams {
-  std::vector<Eigen::MatrixXd> gram;      ///< of each block in sample: with the own unknowns of all blocks
-  std::vector<Eigen::MatrixXd> held_out;  ///< with own unknowns that the other folds tell, of blocks or of whole folds
-  std::vector<int> fold;                  ///< these and the next are of what `held_out` is of
+  std::vector<Eigen::MatrixXd> gram;      ///< of each block in sample: its log's unknowns are fitted to all blocks
+  std::vector<Eigen::MatrixXd> held_out;  ///< of each block or fold: the log's unknowns are fitted to the other folds
+  std::vector<int> fold;                  ///< of each entry of `held_out`, as the next two
   std::vector<int> record;
   std::vector<double> weight;  ///< share of the block in all samples, weighted
-  Eigen::MatrixXd prior;       ///< what departing from the configured model parameters costs
-  Eigen::VectorXd squares;     ///< of each column over all blocks, with what the rig may have added to a log
+  Eigen::MatrixXd prior;       ///< products of the prior of the model parameters
+  Eigen::VectorXd squares;     ///< of each column over all blocks, including errors of the rig
   std::size_t blocks = 0;
-  /// Mean over the logs of the zero of the force [N] and of the gain of each that take a column; empty: they are none.
+  /// Mean over the logs of the force offset [N], and of the gain, that each column is equivalent to; empty: not free.
   Eigen::VectorXd mean_offset;
   Eigen::VectorXd mean_gain;
 
@@ -40,27 +40,27 @@ struct BlockGrams {
   /// Adds the prior to the sums.
   void addPrior();
 
-  /// Fill in the sums by the blocks in sample, which stand for those held out, for kFolds folds at least.
+  /// Computes the sums from the blocks in sample, which are also the held-out ones, for at least kFolds folds.
   void sumUp();
 
   /// Returns the products of a selection of unknowns.
   BlockGrams of(const std::vector<Eigen::Index>& unknowns) const;
 };
 
-/// Sums kept of each block, or of each fold. For many columns the latter suffice, and are small.
+/// Entries of BlockGrams::held_out: blocks, or folds, which need less memory and suffice for many columns.
 enum class Kept { blocks, folds };
 
-/// The logs cut into blocks, and the products with each other of columns that no fit changes, found once for all fits.
+/// Cuts logs into blocks, and computes the products of columns that no fit changes once for all fits.
 class LogBlocks {
  public:
-  /// The records have to outlive it. `weights`: what makes residuals of each log comparable [1/N].
+  /// The records have to outlive it. `weights`: factors that make residuals of the logs comparable [1/N].
   LogBlocks(const std::vector<gap::PreparedRecord>& records, std::vector<double> weights,
             std::vector<ForceColumn> known = {}, int threads = 1);
 
   const std::vector<double>& weights() const { return weights_; }
 
-  /// Normal equations about a model whose forces [N] on the logs are `base`, without a prior. `free`: unknown in each
-  /// log, too; one result for each.
+  /// Returns the normal equations about a model whose forces [N] on the logs are `base`, without a prior, for each
+  /// entry of `free`, which is then free in each log.
   std::vector<BlockGrams> normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns,
                                           const std::vector<PerLogNuisances>& free, Kept kept, int threads) const;
 
@@ -70,7 +70,7 @@ class LogBlocks {
     Eigen::Index first;
     Eigen::Index size;
     double counted;         // samples
-    Eigen::MatrixXd known;  // products of the columns that no fit changes, and of what the rig may have added
+    Eigen::MatrixXd known;  // products of the columns that no fit changes, and of errors of the rig
   };
   struct Request;
   static std::vector<Block> cut(const log::Record& record, std::size_t logs);
@@ -85,20 +85,20 @@ class LogBlocks {
   std::vector<double> weights_;
   std::vector<ForceColumn> known_;
   std::vector<std::vector<Block>> blocks_;  // of each log
-  std::vector<Eigen::VectorXd> penalties_;  // of what the rig may have added to each
+  std::vector<Eigen::VectorXd> penalties_;  // on the errors of the rig of each log
 };
 
-/// The products of some unknowns with each other and with the residual.
+/// Returns the products of some unknowns with each other and with the residual.
 Eigen::MatrixXd ofUnknowns(const Eigen::MatrixXd& gram, std::vector<Eigen::Index> unknowns);
 
-/// The coefficients of all columns but the last that leave least of the last, within bounds.
+/// Returns the coefficients, within bounds, with which all other columns fit the last one best.
 Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const numerics::Limits& bounds);
 
-/// The squares that coefficients leave of the last column.
+/// Returns the sum of squares of the last column minus the others times the coefficients.
 double squaresLeft(const Eigen::MatrixXd& gram, const Eigen::VectorXd& coefficients);
 
-/// Held-out mean square error of each block, from its normal equations: each fold is predicted by a fit to the others,
-/// whose coefficients `fit` finds.
+/// Returns the held-out mean square error of each block: each fold is predicted with the coefficients that `fit` finds
+/// from the normal equations of the others.
 std::vector<double> crossValidate(const BlockGrams& blocks,
                                   const std::function<Eigen::VectorXd(const Eigen::MatrixXd& gram)>& fit);
 

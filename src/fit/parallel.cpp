@@ -38,7 +38,7 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
       workers.emplace_back(work);
     }
   } catch (const std::system_error&) {
-    // No room for another thread: those that run do its part.
+    // If no further thread can be started, those that run do its part.
   }
   work();
   for (std::thread& worker : workers) {

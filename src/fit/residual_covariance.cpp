@@ -28,7 +28,7 @@ Eigen::VectorXd autocovariances(const Eigen::Ref<const Eigen::VectorXd>& residua
   return sums / static_cast<double>(residuals.size());
 }
 
-// One more coefficient of the Levinson-Durbin recursion.
+// Adds a coefficient by the Levinson-Durbin recursion.
 void raiseOrder(Autoregression& model, const Eigen::VectorXd& covariance) {
   const Eigen::Index order = model.coefficients.size();
   const double correlation = covariance[order + 1] + model.coefficients.dot(covariance.segment(1, order).reverse());

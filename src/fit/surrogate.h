@@ -1,4 +1,4 @@
-// Fit of a surrogate to what a model leaves of a set of logs: ridge regression on the functions of a residual element.
+// Fit of a surrogate to the residuals of a model: ridge regression on the functions of a residual element.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,18 +21,18 @@ struct UnseenBlock {
 struct SurrogateFit {
   element::ElementDescription element;
   std::vector<UnseenBlock> unseen;
-  bool predicts = false;  ///< it leaves less than the model does, unseen; without, all of its weights are 0
+  bool predicts = false;  ///< it reduces the held-out error; otherwise all of its weights are 0
 };
 
-/// The ranges of its operators: the strokes, time constants and frequencies that the logs have.
+/// Returns a layout whose operators cover the strokes, time constants and frequencies of the logs.
 element::ResidualBasis::Layout surrogateLayout(const std::vector<gap::PreparedRecord>& records);
 
-/// Fit a surrogate to measured less simulated force. `simulated`: force of the model over each record's displacement as
-/// recorded [N], which is what the surrogate sees as well.
+/// Fits a surrogate to measured minus simulated force. `simulated`: force of the model over each record's displacement
+/// as recorded [N], which the surrogate has as well.
 ///
-/// The strength of the ridge, and whether characteristic and resonators are of use, are those that predict best what is
-/// left out: a log each where there are at least three, blocks otherwise. Logs count alike; what the rig may have added
-/// and samples that do not count are left out.
+/// The strength of the ridge, and the use of characteristic and resonators, have the least held-out error: each log in
+/// turn is held out if there are at least three, otherwise blocks. Logs count alike; errors of the rig and samples that
+/// do not count are excluded.
 SurrogateFit fitSurrogate(const std::vector<gap::PreparedRecord>& records,
                           const std::vector<Eigen::VectorXd>& simulated, int threads);
 

@@ -23,8 +23,8 @@ double misfitOf(const Eigen::VectorXd& residual) {
   return residual.norm() / std::sqrt(0.5 * static_cast<double>(residual.size()));
 }
 
-// Bounds of the logarithms on either side; 0 for fixed ones. `spread`: the break frequencies spread the elements over
-// the range; with them kept the stiffnesses have one best fit.
+// Bounds of the logarithms on either side; 0 for fixed ones. `spread`: break frequencies are fixed, because they spread
+// the elements over the range and the stiffnesses have one best fit for them.
 Eigen::VectorXd boundsOf(const ModelParameters& parameters, bool spread) {
   Eigen::VectorXd bounds = parameters.bounds();
   for (Eigen::Index i = 0; i < bounds.size(); ++i) {
@@ -44,7 +44,7 @@ std::complex<double> simulated(const component::Component& component, const Tabl
   return std::polar(loop.stiffness, loop.loss_angle);
 }
 
-// Relative differences, real parts and imaginary parts by turns.
+// Relative differences, real and imaginary parts alternating.
 Eigen::VectorXd differences(const component::Component& component, const std::vector<TablePoint>& points) {
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {

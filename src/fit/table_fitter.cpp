@@ -17,10 +17,10 @@ namespace {
 
 constexpr int kSamplesOfLoop =
     360;                      // of the cycle that counts: a dashpot lags by half a sample, 0.5 degrees of its force
-constexpr int kStride = 4;    // of these, to one of the lead-in
+constexpr int kStride = 4;    // samples of the cycle to one of the lead-in
 constexpr int kBefore = 3;    // samples of the record before the cycle that counts, so that the lead-in keeps its grid
-constexpr int kAfter = 1;     // and after it: a mass takes differences on both sides
-constexpr int kGrowing = 4;   // cycles of the lead-in in which the sine grows: what is slow or rubs is left symmetric
+constexpr int kAfter = 1;     // and after it: a mass uses differences on both sides
+constexpr int kGrowing = 4;   // cycles of the lead-in in which the sine grows: slow and friction elements end symmetric
 constexpr int kSettling = 6;  // cycles of the lead-in after that
 
 // Displacement at a sample, counted from the lower turning point at which the cycle begins.
@@ -76,7 +76,7 @@ double lossStiffness(const TablePoint& point, const Eigen::VectorXd& force) {
   return 2.0 * sum / (kSamplesOfLoop * point.amplitude);
 }
 
-// Place of each row's value among all that differ by more than a part in a million.
+// Rank of each row's value; values that differ by less than a part in a million have one rank.
 std::vector<int> ranksOf(const std::vector<TablePoint>& points, const std::function<double(const TablePoint&)>& value) {
   const auto below = [](double a, double b) { return b - a > 1e-6 * std::max(std::abs(a), std::abs(b)); };
   std::vector<double> values = element::each(points, value);
@@ -116,7 +116,7 @@ std::complex<double> TableLoops::derivative(std::size_t row, const Eigen::Vector
   const std::complex<double> stiffness = stiffnessOfLoop(point, force);
   const double magnitude = (column[kBefore + high] - column[kBefore + low]) / (2.0 * point.amplitude);
   const double loss = lossStiffness(point, column);
-  // Where all force is lost, as by Coulomb friction alone, the root has no slope: a percent keeps the step finite.
+  // If the storage stiffness is 0, as of Coulomb friction alone, the derivative is infinite: 1 % keeps the step finite.
   const double storage = std::max(std::abs(stiffness.real()), 0.01 * std::abs(stiffness));
   return {(std::abs(stiffness) * magnitude - stiffness.imag() * loss) / storage, loss};
 }

@@ -15,9 +15,8 @@
 
 namespace rubber_suspension::fit {
 
-/// Each row as a record: a sine that grows from rest over some cycles and settles, then one cycle that counts.
-/// Stiffness and loss angle of that cycle are those of the whole loop, by peaks and area, as in `estimate
-/// --from-table`.
+/// Represents each row by a record: a sine that grows from rest over some cycles and settles, then one cycle that
+/// counts. Stiffness and loss angle of that cycle follow from peaks and area, as in `estimate --from-table`.
 class TableLoops {
  public:
   /// Throws std::invalid_argument as checkPoints() does.
@@ -25,16 +24,16 @@ class TableLoops {
 
   const std::vector<TablePoint>& points() const { return points_; }
 
-  /// The motions. The force of a record is that of an ellipse with the K* of its row, for sizes and scales alone.
+  /// Returns the motions. The force of a record is an ellipse with the K* of its row, which is only used as a scale.
   const std::shared_ptr<const std::vector<gap::PreparedRecord>>& records() const { return records_; }
 
-  /// K* of each row [N/m] by the forces on the records [N].
+  /// Returns K* of each row [N/m] from the forces on the records [N].
   std::vector<std::complex<double>> stiffness(const gap::Forces& forces) const;
 
-  /// Stiffness of a component.
+  /// Returns K* of a component at each row [N/m].
   std::vector<std::complex<double>> stiffnessOf(const std::vector<element::ElementDescription>& elements) const;
 
-  /// Derivative of K* of a row where its force has the derivative `column`.
+  /// Returns the derivative of K* of a row whose force has the derivative `column`.
   std::complex<double> derivative(std::size_t row, const Eigen::VectorXd& force, const Eigen::VectorXd& column) const;
 
  private:
@@ -43,17 +42,17 @@ class TableLoops {
 };
 
 /// Fits hypotheses to one table: residuals are (K* - K*_model)/|K*| of its rows, so that gaps are those of
-/// gapOfTable(). A table counts as one log, and each row as a block of it that cross validation leaves out: rows are
-/// tests of their own. Neighbours on the grid of frequency and amplitude are in different folds. Thread-safe once
-/// constructed; the model has to outlive it.
+/// gapOfTable(). A table counts as one log. Cross validation holds out rows as blocks, because they are separate tests.
+/// Neighbours on the grid of frequency and amplitude are in different folds. Thread-safe once constructed; the model
+/// has to outlive it.
 class TableFitter final : public HypothesisFitter {
  public:
-  /// `one_deviation`: the gap that a departure of one standard deviation counts as.
+  /// `one_deviation`: gap that counts as much as a departure of one standard deviation.
   TableFitter(std::shared_ptr<const TableLoops> loops, const ModelParameters& model, double one_deviation);
 
   const TableLoops& loops() const { return *loops_; }
 
-  /// K* of each row [N/m]; nothing where the model parameters have no solution.
+  /// Returns K* of each row [N/m]; nullopt if the model parameters have no solution.
   std::optional<std::vector<std::complex<double>>> stiffness(const Hypothesis& hypothesis,
                                                              const ParameterVector& parameters) const;
 
