@@ -104,7 +104,7 @@ void addDynamicStiffness(const Values& values, DataSheetResult& result) {
 }
 
 // The break frequency at which M3 has the second loss angle. Between the limits of a dashpot alone (f_b -> 0) and of a
-// Maxwell element alone the angle at another frequency moves one way.
+// Maxwell element alone, the angle at another frequency is monotonic.
 double breakFrequencyForSecondAngle(const Specification& specification, double frequency, double angle) {
   Specification trial = specification;
   const double highest = std::log(breakFrequencyForLossAngle(specification));

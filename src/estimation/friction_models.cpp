@@ -13,8 +13,8 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// The settled Berg loop of amplitude z0 follows from one number, u = 2 z0/(z2 (1 + mu0)), mu0 = F_f0/F_max:
-// that the branch which starts at -F_f0 ends at F_f0 gives mu0 = u/(2 + u). u -> 0 is a spring, u -> inf is Coulomb.
+// The settled Berg loop of amplitude z0 follows from one number, u = 2 z0/(z2 (1 + mu0)), mu0 = F_f0/F_max: its branch
+// from -F_f0 ends at F_f0, so mu0 = u/(2 + u). u -> 0 is a spring, u -> inf is Coulomb.
 double settledMu(double u) { return u / (2.0 + u); }
 
 // Loss of the settled loop over F_f0 z0: 4 ((2 + u) u - 2 (1 + u) ln(1 + u))/u^2, rising from 0 to 4 (Coulomb).
@@ -42,7 +42,7 @@ element::ElementDescription bergElement(double u, double peak_force, double ampl
   return {"friction", {{"maximum_force", {peak_force / mu}}, {"displacement", {2.0 * amplitude / (u * (1.0 + mu))}}}};
 }
 
-// Loss and stiffness over amplitude that the working point asks for.
+// Stiffness and loss at the working point.
 struct WorkingPoint {
   double k_st;            // [N/m]
   double k_n;             // [N/m]
@@ -63,13 +63,13 @@ WorkingPoint workingPoint(const Specification& specification, double viscous_sha
 
 double viscousShare(const Specification& specification) { return valueOrDefault(specification, "viscous_share"); }
 
-// Even Coulomb friction, which loses most for its force, cannot lose what is asked: its stiffness is too high already.
+// Even Coulomb friction, which dissipates most for its force, is too stiff with this loss.
 Obstacle tooLossy(double k_lowest) {
   return {"dynamic_stiffness",
           fmt::format("is less than {:.6g} N/m, the least stiffness of friction with this loss per cycle", k_lowest)};
 }
 
-// M4 and M5. A dashpot has no force at the turning points, where the stiffness is taken: K_n = K_st + F_f0/A_n.
+// For M4 and M5. A dashpot has no force at the turning points, which define the stiffness: K_n = K_st + F_f0/A_n.
 std::optional<Obstacle> turningPointObstacle(const WorkingPoint& point) {
   const double k_lowest = point.k_st + point.frictionLoss() / kCoulombLossRatio;
   return point.k_n > k_lowest * (1.0 + kStiffnessMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));

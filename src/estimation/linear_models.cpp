@@ -56,7 +56,7 @@ double breakFrequencyForHighStiffness(const Specification& specification) {
   };
   const double f_n = specification.at("nominal_frequency");
   const double f_h = specification.at("high_frequency");
-  // K^2 - K_st^2 is in proportion to f^2/(f^2 + f_b^2).
+  // K^2 - K_st^2 is proportional to f^2/(f^2 + f_b^2).
   const double ratio = added("dynamic_stiffness") / added("high_frequency_stiffness") * (f_h / f_n) * (f_h / f_n);
   return std::sqrt((f_h * f_h - ratio * f_n * f_n) / (ratio - 1.0));
 }
@@ -80,7 +80,7 @@ std::optional<Obstacle> highFrequencyObstacle(const Specification& specification
 std::optional<Obstacle> maxwellObstacle(const Specification& specification) {
   if (specification.has("high_frequency_stiffness")) {
     auto obstacle = highFrequencyObstacle(specification);
-    // A break frequency far above f_h makes a dashpot, and with it the steepest rise.
+    // With a break frequency far above f_h the element is a dashpot, which has the steepest rise.
     if (!obstacle && !std::isfinite(breakFrequencyForHighStiffness(specification))) {
       obstacle = Obstacle{"high_frequency_stiffness", "rises more from f_n to f_h than one Maxwell element allows"};
     }

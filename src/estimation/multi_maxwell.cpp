@@ -26,9 +26,9 @@ constexpr double kEndMargin = 1e-6;
 // Steps of the scan for a high frequency that gives a loss angle.
 constexpr int kBandSteps = 60;
 
-// The specification, each input looked up once.
+// The inputs, each looked up once.
 struct Inputs {
-  const Specification& specification;  // for what is asked once, and for errors
+  const Specification& specification;  // for inputs that are used once, and for errors
   double static_stiffness;
   double dynamic_stiffness;
   double nominal_frequency;
@@ -69,8 +69,8 @@ std::vector<double> breakFrequencies(const Inputs& inputs, double high_frequency
   return frequencies;
 }
 
-// Eq. 18: shares alpha^(n_M - i)/sum of alpha^(j - 1), `visit` gets each with the index of its element. Powers of what
-// is at most 1, from the element with the largest share on, so that none overflows.
+// Calls `visit` with index and share of each element, Eq. 18: alpha^(n_M - i)/sum of alpha^(j - 1). Powers of a ratio
+// of at most 1, from the element with the largest share on, cannot overflow.
 template <class Visit>
 void forEachShare(double alpha, std::size_t count, Visit visit) {
   const bool rising = alpha < 1.0;  // the last element has the largest share
@@ -97,14 +97,14 @@ std::vector<Complex> relativeStiffnesses(const std::vector<double>& break_freque
   return stiffness;
 }
 
-// K* of all Maxwell elements over the sum of their stiffnesses, from those of each.
+// K* of all Maxwell elements over the sum of their stiffnesses, from that of each.
 Complex relativeStiffness(double alpha, const std::vector<Complex>& of_each) {
   Complex sum = 0.0;
   forEachShare(alpha, of_each.size(), [&](std::size_t i, double share) { sum += share * of_each[i]; });
   return sum;
 }
 
-// A frequency within the elements' break frequencies: then alpha can weight them to act like one element there.
+// If a frequency lies within the break frequencies, alpha can weight the elements to act like one element of it.
 bool embraces(const std::vector<double>& break_frequencies, double frequency) {
   return break_frequencies.front() * (1.0 + kBandMargin) < frequency &&
          frequency < break_frequencies.back() * (1.0 - kBandMargin);
@@ -132,10 +132,10 @@ std::pair<Complex, Complex> relativeStiffnessWithSlope(double alpha, const std::
   return {sum, moment - mean_exponent * sum};
 }
 
-// |K*(f_n)| = K_n over alpha, Eqs. 20 and 21; the stiffness rises with alpha, so the root is the only one. Newton's
+// Solves |K*(f_n)| = K_n for alpha, Eqs. 20 and 21; the stiffness increases with alpha, so the root is unique. Newton's
 // method for |K*|^2 over ln(alpha), within bounds.
 double alphaForStiffness(const Inputs& inputs, const std::vector<double>& break_frequencies) {
-  constexpr double kWidest = 60.0;  // of ln(alpha); elements with less of a share than kBandMargin need 21 at most
+  constexpr double kWidest = 60.0;  // of ln(alpha); shares down to kBandMargin need 21 at most
   constexpr int kDigits = 50;
   const double k_st = inputs.static_stiffness;
   const double added = inputs.maximum_stiffness.value() - k_st;
@@ -174,8 +174,8 @@ bool bandMeetsStiffness(const Inputs& inputs, double high_frequency) {
          embraces(breakFrequencies(inputs, high_frequency), breakFrequencyForMaximum(inputs.specification));
 }
 
-// The lowest high frequency at which the model that meets K_n and K_max has the loss angle too. Where elements lie
-// closer the loss is spread wider and is lower, so two bands often meet it; the narrower one has the smoother curves.
+// The lowest high frequency at which the model that meets K_n and K_max also has the loss angle. Two bands often have
+// it; the narrower one has the smoother curves.
 std::optional<double> highFrequencyForAngle(const Inputs& inputs) {
   const double f_n = inputs.nominal_frequency;
   const double target = lossAngle(inputs.specification);
@@ -206,8 +206,8 @@ Solution solveForMaximum(const Inputs& inputs) {
   return {high_frequency, std::move(break_frequencies), k_st + added, alpha};
 }
 
-// K_max at which the model that meets K_n has the stiffness asked for at f_h, which rises with K_max. Its ends are
-// those of one Maxwell element with the last and with the first break frequency.
+// K_max at which the model that meets K_n has the specified stiffness at f_h, which increases with K_max. Its limits
+// are those of one Maxwell element with the first and with the last break frequency.
 double maximumForHighStiffness(Inputs inputs) {
   const double k_st = inputs.static_stiffness;
   const double high_frequency = inputs.high_frequency.value();
@@ -253,7 +253,7 @@ std::optional<Obstacle> orderObstacle(const Inputs& inputs) {
   return Obstacle{"low_frequency", "is not below " + inputText(inputs.specification, "nominal_frequency")};
 }
 
-// One element with this break frequency would do; those of all have to embrace it.
+// A single element would have this break frequency; it has to lie within those of the elements.
 std::optional<Obstacle> spreadObstacle(const std::string& key, const Inputs& inputs, double frequency) {
   const std::vector<double> b = breakFrequencies(inputs, inputs.high_frequency.value());
   if (embraces(b, frequency)) {
@@ -343,7 +343,7 @@ std::vector<element::ElementDescription> multiMaxwellElements(const Specificatio
                                                               double alpha) {
   Specification specification = band;
   for (const char* key : {"static_stiffness", "dynamic_stiffness", "nominal_frequency"}) {
-    specification.set(key, 0.0);  // take no part
+    specification.set(key, 0.0);  // not used
   }
   const Inputs inputs(specification);
   return maxwellElements(breakFrequencies(inputs, band.at("high_frequency")), relaxing, alpha);

@@ -12,7 +12,7 @@ namespace {
 // closer.
 constexpr double kStiffnessAccuracy = 0.01;
 
-// The stiffness [N/m] that a mass of 1 kg deflects by 1 cm; what carries a vehicle is far stiffer.
+// A mass of 1 kg deflects this stiffness [N/m] by 1 cm; components of vehicles are far stiffer.
 constexpr double kSoftestStiffness = 1000.0;
 
 void warnOfNeighbours(std::vector<std::string>& warnings, const Specification& specification, const std::string& upper,
@@ -70,7 +70,7 @@ std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
   return notes;
 }
 
-// Friction that is at its limit over nearly all of the motion: Coulomb's, at the end of what loss angles allow.
+// Notes friction that is at its limit over nearly all of the motion, as Coulomb friction is: the largest possible loss.
 void addSharpFriction(std::vector<std::string>& notes, Model model, const Specification& specification) {
   constexpr double kSharp = 0.02;  // of the amplitude
   for (const element::ElementDescription& entry : estimateTangent(model, specification)) {

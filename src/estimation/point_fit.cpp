@@ -19,13 +19,13 @@ namespace {
 
 using FitEntries = std::vector<element::ElementDescription>;
 
-constexpr double kAnyPointAmplitude = 1e-3;  // [m] of what is linear
+constexpr double kAnyPointAmplitude = 1e-3;  // [m] for linear components, which do not depend on it
 const double kWidestFit = std::log(1e4);     // of a number to either side of its start
 
-// A number of the model's elements that the fit moves, or keeps.
+// A parameter of the model's elements, fitted or kept.
 struct FitNumber {
   const char* name;
-  std::vector<double> starts;  // one where it is kept
+  std::vector<double> starts;  // one if it is kept
   bool kept = false;
 };
 
@@ -44,7 +44,7 @@ class PointFit {
     }
     constexpr double kStep = 1e-6;  // loops are settled to 1e-9
     numerics::DifferencedSquares misfit([this](const Eigen::VectorXd& x) { return residuals(x); }, kStep);
-    residuals(start(0));  // throws what the component itself refuses
+    residuals(start(0));  // throws if the component itself is refused
     numerics::Optimum best{{}, std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < combinations; ++i) {
       const numerics::Optimum found = numerics::searchLeast(misfit, start(i), limits());
@@ -199,7 +199,7 @@ class PointFit {
     return count;
   }
 
-  // Logarithms of the moved numbers, of one combination of their starts.
+  // Logarithms of the fitted numbers at one combination of their starts.
   Eigen::VectorXd start(std::size_t combination) const {
     std::vector<double> logarithms;
     for (const FitNumber& number : numbers_) {
@@ -232,7 +232,7 @@ class PointFit {
     return band;
   }
 
-  // With a linear spring.
+  // Elements with a linear spring in place of a static curve.
   FitEntries tangentElements(const Eigen::VectorXd& logarithms) const {
     const auto value = [&](const char* name) { return valueOf(logarithms, name); };
     FitEntries elements = {{"spring", {{"stiffness", {value("spring")}}}}};
@@ -288,7 +288,7 @@ class PointFit {
     return result;
   }
 
-  // Logarithms to either side of those of the first starts.
+  // Limits of the logarithms, on either side of the first starts.
   numerics::Limits limits() const {
     const Eigen::VectorXd first = start(0);
     return {first.array() - kWidestFit, first.array() + kWidestFit};
@@ -320,7 +320,7 @@ class PointFit {
     return text;
   }
 
-  // Eqs. 10 to 21 of Polach (IAVSD 2015) read backwards.
+  // The specification of the fitted base: inverse of Eqs. 10 to 21 of Polach (IAVSD 2015).
   Specification baseOf(const Eigen::VectorXd& logarithms) const {
     Specification base = given_;
     base.describe(Describes::base);

@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::estimation {
 
-/// The root between two numbers at which a function has these values, one of each sign, to so many bits.
+/// Returns the root between two numbers at which a function has these values, of opposite signs, to so many bits.
 template <class Function>
 double rootBetween(Function function, double low, double high, double at_low, double at_high, int bits = 50) {
   boost::uintmax_t iterations = 200;
@@ -15,7 +15,7 @@ double rootBetween(Function function, double low, double high, double at_low, do
   return 0.5 * (bracket.first + bracket.second);
 }
 
-/// The lowest root that so many even steps show. Where the function is not a number, there is none.
+/// Returns the lowest root between two of `steps` even steps; nullopt if there is none. NaN counts as no sign change.
 template <class Function>
 std::optional<double> lowestRoot(Function function, double low, double high, int steps, int bits = 50) {
   double before = low;
@@ -32,7 +32,7 @@ std::optional<double> lowestRoot(Function function, double low, double high, int
   return std::nullopt;
 }
 
-/// The root of an increasing function of a positive number, which may lie decades from 1.
+/// Returns the root of an increasing function of a positive number, which may be decades away from 1.
 template <class Function>
 double increasingRoot(Function function) {
   boost::uintmax_t iterations = 200;

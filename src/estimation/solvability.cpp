@@ -65,7 +65,7 @@ std::vector<double> scanPoints(const Specification& specification, const element
 
 // The edge between a value without and a value with a solution.
 double edge(double without, double with, const std::function<bool(double)>& solvable, double tolerance) {
-  constexpr int kMostHalvings = 200;  // more than a double has digits: where the interval has none between its ends
+  constexpr int kMostHalvings = 200;  // ends the loop if no double lies between the ends
   for (int i = 0; i < kMostHalvings && std::abs(with - without) > tolerance * std::abs(with); ++i) {
     const double middle = 0.5 * (without + with);
     (solvable(middle) ? with : without) = middle;
@@ -73,7 +73,7 @@ double edge(double without, double with, const std::function<bool(double)>& solv
   return with;
 }
 
-// In the unit that the user wrote.
+// Describes intervals in the unit that the user wrote.
 std::string describe(const std::vector<element::Range>& intervals, const element::ParameterInfo& input,
                      const WrittenUnit& unit) {
   std::string text;
@@ -87,7 +87,7 @@ std::string describe(const std::vector<element::Range>& intervals, const element
   return fmt::format("{} {}{}{}", input.name, text, unit.name == "1" ? "" : " ", unit.name == "1" ? "" : unit.name);
 }
 
-// A value inside an interval near one of its ends, of few digits.
+// Returns a value of few digits inside an interval, near one of its ends.
 double roundedInside(const element::Range& interval, double end) {
   constexpr double kInside = 0.01;
   const double width = std::min(interval.upper - interval.lower, std::abs(end));
@@ -96,12 +96,12 @@ double roundedInside(const element::Range& interval, double end) {
   return std::round(value / unit) * unit;
 }
 
-// The specification with a solution that is nearest to what was given.
+// The solvable specification that is nearest to the given one.
 class Nearest {
  public:
   explicit Nearest(const Solvable& solvable) : solvable_(solvable) {}
 
-  /// One input of a specification moved into these intervals. `before`: how far the specification was moved already.
+  /// Offers a specification with one input moved into these intervals. `before`: distance by which others were moved.
   void offer(const Specification& specification, const element::ParameterInfo& input,
              const std::vector<element::Range>& intervals, double before = 0.0) {
     const double given = specification.at(input.name);
@@ -132,14 +132,14 @@ class Nearest {
   double distance_ = std::numeric_limits<double>::infinity();
 };
 
-// The inputs that a search may move: not a displacement that may be 0.
+// Returns the inputs that a search may move, which excludes displacements that may be 0.
 std::vector<element::ParameterInfo> searchedInputs(const Specification& specification) {
   return element::those(specificationParameters(), [&](const element::ParameterInfo& input) {
     return specification.has(input.name) && input.range.lower >= 0.0;
   });
 }
 
-// All other inputs, where one was moved by a factor.
+// Offers changes of all other inputs after `first` was multiplied by a factor.
 void moveBeside(const element::ParameterInfo& first, double factor, const Specification& specification,
                 const Solvable& solvable, Nearest& nearest) {
   Specification moved = specification;
@@ -152,7 +152,7 @@ void moveBeside(const element::ParameterInfo& first, double factor, const Specif
   }
 }
 
-// Where no single input helps: one moved by as little as may do, and another one with it.
+// If no single input helps, changes two: the first by as little as possible.
 void moveTwo(const Specification& specification, const Solvable& solvable, Nearest& nearest) {
   for (const double by : {0.02, 0.1, 0.3, 0.7}) {
     for (const element::ParameterInfo& first : searchedInputs(specification)) {

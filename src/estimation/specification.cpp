@@ -106,8 +106,8 @@ const std::vector<NamedModel>& models() {
   return table;
 }
 
-// Keys that every model accepts: an amplitude, on which linear models do not depend, and, with `describes`, the whole
-// working point.
+// Keys that every model accepts: an amplitude, on which linear models do not depend, and, with `describes` or a static
+// curve, the whole working point.
 const std::vector<std::string> kWorkingPoint = {"nominal_amplitude", "nominal_displacement", "nominal_force"};
 
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
@@ -503,7 +503,7 @@ WrittenUnit Specification::writtenUnit(std::string_view name) const {
 
 std::optional<Obstacle> ratioObstacle(const Specification& specification) {
   const double k_st = specification.valueOr("static_stiffness", HUGE_VAL);
-  // A quantity derived for a base may be any part of a component.
+  // The numbers of a base may be any part of those of the component.
   if (specification.describes() == Describes::base) {
     return std::nullopt;
   }
@@ -520,7 +520,7 @@ std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
   const std::optional<double> k_st = specification.find("static_stiffness");
   const std::optional<double> k_n = specification.find("dynamic_stiffness");
   const std::optional<double> k_max = specification.find("maximum_stiffness");
-  // A number that is missing compares false.
+  // A missing number becomes NaN, which compares false.
   const auto orNone = [](const std::optional<double>& value) {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
   };

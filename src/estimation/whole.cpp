@@ -20,26 +20,26 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-constexpr double kFromEnd = 1e-9;     // of an interval of K_n: its ends have no solution
-constexpr double kAgreement = 1e-10;  // of the loss and of the high-frequency stiffness
+constexpr double kFromEnd = 1e-9;     // of an interval of K_n, whose ends have no solution
+constexpr double kAgreement = 1e-10;  // relative error of the loss or of the high-frequency stiffness
 constexpr int kMostSteps = 40;
-constexpr double kAnyAmplitude = 1e-3;  // [m] of what is linear
+constexpr double kAnyAmplitude = 1e-3;  // [m] for linear components, which do not depend on it
 
-// No solution, with the obstacle.
+// Thrown if there is no solution.
 struct Unsolvable {
   Obstacle obstacle;
-  std::string accepted;  // what is known of it without a search; may be empty
+  std::string accepted;  // what is accepted, if that is known without a search
 };
 
 using Entries = std::vector<element::ElementDescription>;
 
-// None for what sits on the rig.
+// Returns nullptr for other elements and for those on the rig.
 const element::ParallelElement* lawOfComponent(const element::ElementPointer& element) {
   const element::ParallelElement* law = element::parallelLaw(element);
   return law == nullptr || law->onRig() ? nullptr : law;
 }
 
-// False for laws that never settle under a sine: drift of the rig, factors that the history changes.
+// Returns false for laws that never settle under a sine: drift of the rig, factors that depend on history.
 bool settles(const element::ElementDescription& entry) {
   const element::ElementPointer element = element::makeElement(entry);
   const element::Element& law = element::lawOf(element);
@@ -90,7 +90,7 @@ class Whole {
            });
   }
 
-  // Throws Unsolvable. `thorough`: also where the quick way does not find it.
+  // Throws Unsolvable. `thorough`: scans if secants fail.
   Specification solve(bool thorough) const {
     if (const std::optional<Obstacle> obstacle = ratioObstacle(given_)) {
       throw Unsolvable{*obstacle, {}};
@@ -110,7 +110,7 @@ class Whole {
   }
 
  private:
-  // Gives a base with this K_n its other numbers; false where there is none.
+  // Sets the other numbers of a base with this K_n; returns false if there are none.
   using Complete = std::function<bool(Specification& base, double stiffness)>;
 
   double frequency() const { return given_.at("nominal_frequency"); }
@@ -166,7 +166,7 @@ class Whole {
     return ofAdded(at_frequency).stiffness - given_.at("dynamic_stiffness");
   }
 
-  // The base's K_n for which the whole has that which is asked for; the rest of the base follows from it.
+  // Finds the K_n of the base with which the whole has the given one; `complete` sets its other numbers.
   void solveStiffness(Specification& base, const Complete& complete) const {
     if (obstacle_) {
       throw Unsolvable{*obstacle_, {}};
@@ -212,7 +212,7 @@ class Whole {
                          : "smaller values under add:";
   }
 
-  // Open interval in which a base has a solution.
+  // Returns the intervals of K_n in which a base has a solution.
   template <class WithStiffness>
   std::vector<std::pair<double, double>> intervals(const Specification& base, const WithStiffness& with) const {
     constexpr double kFar = 100.0;  // times K_n, where there is no upper end
@@ -232,15 +232,15 @@ class Whole {
     return found;
   }
 
-  // Solves for K_n with a loss stiffness [N/m] of the base; returns by how much that of the whole is off.
+  // Solves for K_n with a loss stiffness [N/m] of the base; returns the relative error of that of the whole.
   double solveLoss(Specification& base, double loss) const {
     solveStiffness(base, [&](Specification& trial, double stiffness) {
-      const double sine = loss / stiffness;  // of M1, whose K_n is the storage stiffness, the tangent
+      const double sine = loss / stiffness;  // the tangent for M1, whose K_n is the storage stiffness
       const double angle = model_ == Model::kelvin_voigt ? std::atan(sine) : std::asin(sine);
       const bool angular = given_.has("loss_angle");
       const double damping = 0.5 * std::tan(angle);
       trial.set(angular ? "loss_angle" : "relative_damping", angular ? angle : damping);
-      return angle > 0.0 && (angular ? angle < 0.5 * element::kPi : damping <= 1.0);  // false of what is not a number
+      return angle > 0.0 && (angular ? angle < 0.5 * element::kPi : damping <= 1.0);  // false for NaN
     });
     return lossStiffness(characteristics(estimate(model_, base), frequency())) / *this->loss() - 1.0;
   }
@@ -253,7 +253,7 @@ class Whole {
            1.0;
   }
 
-  // A second number beside K_n. Secants from `start`, which is right where forces add up; `wanted` scales the mismatch.
+  // Solves for a second number besides K_n, by secants from `start`, which is exact if forces are additive.
   template <class Solve>
   Specification solveBoth(bool thorough, Solve solve, double start) const {
     const double wanted = loss() ? *loss() : given_.at("high_frequency_stiffness");

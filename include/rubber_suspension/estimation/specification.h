@@ -28,26 +28,26 @@ enum class Model {
   elements,          ///< a list of elements, nothing to estimate
 };
 
-/// The name in a component file.
+/// Returns the name in a component file.
 std::string toString(Model model);
 
-/// The model of that name, or nothing.
+/// Returns the model of that name, or nullopt.
 std::optional<Model> modelFromString(const std::string& name);
 
 /// A unit as the user wrote it.
 struct WrittenUnit {
   std::string name;  ///< "kN/mm"
-  double size;       ///< of it in the SI unit, 1e6 N/m
+  double size;       ///< in the SI unit, such as 1e6 N/m
 };
 
 /// Part of a component that its specification describes.
 enum class Describes {
-  unsaid,     ///< the base, with a note where elements are added
+  unsaid,     ///< the base, with a note if elements are added
   base,       ///< the elements of the model alone
   component,  ///< the whole, with the elements that are added
 };
 
-/// The name in a component file; "" for unsaid.
+/// Returns the name in a component file; "" for unsaid.
 std::string toString(Describes describes);
 
 /// One measured point of a component, for a fit.
@@ -61,11 +61,11 @@ struct SpecifiedPoint {
 
 /// Tolerances of the numbers of a data sheet, as standard deviations of their logarithms.
 struct SheetTolerance {
-  static constexpr double kUsual = 0.1;                ///< where nothing is said
+  static constexpr double kUsual = 0.1;                ///< if none is given
   static constexpr double kGuess = 2.302585092994046;  ///< ln 10: a guess
 
   std::optional<double> of_all = {};
-  std::map<std::string, double, std::less<>> by_key = {};  ///< comes first
+  std::map<std::string, double, std::less<>> by_key = {};  ///< has precedence
 
   bool given() const { return of_all || !by_key.empty(); }
   double of(std::string_view key) const {
@@ -74,7 +74,7 @@ struct SheetTolerance {
   }
 };
 
-/// Numbers by the names of specificationParameters() [SI]; loss angles in rad. Beside them a static curve or points.
+/// Numbers by the names of specificationParameters() [SI], loss angles in rad, and optionally a static curve or points.
 class Specification {
  public:
   using Values = std::map<std::string, double, std::less<>>;
@@ -85,7 +85,7 @@ class Specification {
     const auto found = position(name);
     return found == values_.end() ? std::nullopt : std::optional<double>(found->second);
   }
-  /// Throws std::out_of_range where it is missing.
+  /// Throws std::out_of_range if it is missing.
   double at(std::string_view name) const {
     const auto found = position(name);
     return found != values_.end() ? found->second : throw std::out_of_range(std::string(name));
@@ -101,16 +101,16 @@ class Specification {
   Describes describes() const { return describes_; }
   void describe(Describes what) { describes_ = what; }
 
-  /// In place of static_stiffness; nullptr without one.
+  /// Returns the curve that replaces static_stiffness; nullptr if there is none.
   const StaticCurve* curve() const { return curve_.get(); }
   void setCurve(StaticCurve curve) { curve_ = std::make_shared<const StaticCurve>(std::move(curve)); }
   void eraseCurve() { curve_.reset(); }
 
-  /// In place of the numbers of the model; none where it has these.
+  /// Returns the points that replace the numbers of the model; empty if there are none.
   const std::vector<SpecifiedPoint>& points() const { return points_; }
   void setPoints(std::vector<SpecifiedPoint> points) { points_ = std::move(points); }
 
-  /// Blocks of numbers, each at its own nominal displacement on the static curve, over those of the specification.
+  /// Returns blocks of numbers that override values(), each at its own nominal displacement on the static curve.
   const std::vector<Values>& preloads() const { return preloads_; }
   void setPreloads(std::vector<Values> preloads) { preloads_ = std::move(preloads); }
 
@@ -120,7 +120,7 @@ class Specification {
   WrittenUnit writtenUnit(std::string_view name) const;
 
  private:
-  /// One after the other: of so few names most differ in their length.
+  /// Linear search: most of these few names differ in their length.
   Values::const_iterator position(std::string_view name) const {
     return std::find_if(values_.begin(), values_.end(), [&](const auto& value) { return value.first == name; });
   }
@@ -134,13 +134,13 @@ class Specification {
   std::shared_ptr<const Units> units_;
 };
 
-/// Displacement z_0 [m] of the working point. Throws std::invalid_argument where nominal_force has none.
+/// Returns the displacement z_0 [m] of the working point. Throws std::invalid_argument if nominal_force has none.
 double nominalDisplacement(const Specification& specification);
 
-/// The table of all numbers of `specification:`.
+/// Returns the table of all numbers of `specification:`.
 const std::vector<element::ParameterInfo>& specificationParameters();
 
-/// True for a number that a sheet states of the component and that may be wrong: no working point, no choice.
+/// Returns true for a number of the component that a sheet states and that may be wrong: no working point, no choice.
 bool isOfSheet(std::string_view name);
 
 /// The keys of a model's specification.
@@ -148,22 +148,22 @@ struct ModelInfo {
   Model model;
   std::string documentation;
   std::vector<std::string> required;
-  std::vector<std::vector<std::string>> one_of;  ///< of each group exactly one
+  std::vector<std::vector<std::string>> one_of;  ///< exactly one of each group
   std::vector<std::string> optional;
-  std::vector<std::vector<std::string>> two_of;  ///< of each group exactly two
+  std::vector<std::vector<std::string>> two_of;  ///< exactly two of each group
 };
 
 const ModelInfo& modelInfo(Model model);
 
-/// Checks the specification against the tables: unknown, missing, superfluous, out of range. Throws
+/// Checks the specification against the tables for keys that are unknown, missing, superfluous or out of range. Throws
 /// std::invalid_argument that names key, value and what is accepted.
 void checkSpecification(Model model, const Specification& specification);
 
-/// The elements of the model that meets the specification of a base; resolve() makes one of any other.
-/// Throws std::invalid_argument that names key, value and the interval that it could take, where there is no solution.
+/// Returns the elements of the model that meets the specification of a base; resolve() converts others to one. Throws
+/// std::invalid_argument that names key, value and the interval with solutions if there is no solution.
 std::vector<element::ElementDescription> estimate(Model model, const Specification& specification);
 
-/// Estimates elements with a linear spring, the tangent, in place of the static curve, and none scaled along it.
+/// Estimates elements with a linear spring, the tangent, in place of the static curve; none is scaled along the curve.
 std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& specification);
 
 }  // namespace rubber_suspension::estimation

@@ -15,24 +15,24 @@ struct StaticCurve {
   bool monotone = false;             ///< falling forces are refused
   bool scales = true;  ///< Maxwell elements and dashpots scale with the slope of the curve at each displacement
 
-  /// Throws std::invalid_argument that begins with "static_curve" on lists that are no curve, and on a slope that is
-  /// not positive where monotone or scales asks for that.
+  /// Throws std::invalid_argument that begins with "static_curve" for lists that are no curve, for a slope that is
+  /// negative with `monotone`, and for one that is not positive with `scales`.
   void check() const;
 
   double forceAt(double displacement) const;  ///< [N]
 
-  /// Slope [N/m]; at a point of the curve the mean of both sides.
+  /// Returns the slope [N/m]; at a point of the curve the mean of both sides.
   double tangentAt(double displacement) const;
 
-  /// Displacement [m] of a force [N]. Throws std::invalid_argument where there is none, or more than one.
+  /// Returns the displacement [m] of a force [N]. Throws std::invalid_argument if there is none, or more than one.
   double displacementAt(double force) const;
 
-  /// Slope of each piece [N/m].
+  /// Returns the slope of each piece [N/m].
   std::vector<double> slopes() const;
 };
 
-/// An element whose stiffness, damping or sliders follow the slope of the curve, relative to that at the working point
-/// [m]: Maxwell element, dashpot, bank of sliders. Throws std::invalid_argument for any other.
+/// Returns an element whose stiffness, damping or sliders follow the slope of the curve, relative to that at the
+/// working point [m]: Maxwell element, dashpot, bank of sliders. Throws std::invalid_argument for any other.
 element::ElementDescription scaledAlong(const StaticCurve& curve, double nominal_displacement,
                                         const element::ElementDescription& entry);
 
