@@ -67,7 +67,7 @@ void addEnergies(const log::Log& log, const log::Log& both, std::size_t first, A
   agreement.simulated_energy = energy(both.force);
 }
 
-// A figure of the table, its limit and whether it keeps to it.
+// A figure of the table, its limit and whether the limit is kept.
 struct Row {
   std::string name;
   std::string value;

@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::gap {
 
-/// Other displacements of these very records, one of each [m]; refers to both.
+/// Returns a drive by other displacements of these records, one of each [m]; refers to both arguments.
 inline Drive drivenBy(const std::vector<Eigen::VectorXd>& displacements, const std::vector<PreparedRecord>& records) {
   return
       [&](const PreparedRecord& record) { return displacements[static_cast<std::size_t>(&record - records.data())]; };

@@ -15,13 +15,13 @@
 namespace rubber_suspension::gap {
 namespace {
 
-// Products of a residual, of unknowns of its own and of what the rig may have added over a part of a record.
+// Products of a residual, unknowns of the log and errors of the rig over a part of a record.
 Eigen::MatrixXd productsOver(const PreparedRecord& record, const Eigen::VectorXd& residual, const OwnUnknowns& own,
                              Eigen::Index first, Eigen::Index count) {
   const Eigen::Index rig = record.rig.columns.cols();
   Eigen::MatrixXd columns(count, 1 + own.columns.cols() + rig);
   columns.col(0) = residual.segment(first, count);
-  if (own.columns.cols() > 0) {  // no rows of nothing, which has no address
+  if (own.columns.cols() > 0) {  // an empty matrix has no address
     columns.middleCols(1, own.columns.cols()) = own.columns.middleRows(first, count);
   }
   if (record.counts.size() > 0) {

@@ -49,7 +49,7 @@ class RunningSums {
   double mean(Index first, Index count) const {
     return (sum_[first + count] - sum_[first]) / static_cast<double>(count);
   }
-  // About the mean.
+  // Sum of squares about the mean.
   double squares(Index first, Index count) const {
     return squares_[first + count] - squares_[first] - static_cast<double>(count) * std::pow(mean(first, count), 2);
   }
@@ -60,7 +60,7 @@ class RunningSums {
   Eigen::VectorXd squares_;
 };
 
-// Coefficients of correlation of what overlaps, by the shift: `left` where the second signal is moved to the left.
+// Correlation coefficients of the overlap, by the shift; `left`: the second signal is shifted to the left.
 struct Correlations {
   Eigen::VectorXd left;
   Eigen::VectorXd right;
@@ -71,7 +71,7 @@ std::vector<double> centred(const Signal& signal) {
   return {values.data(), values.data() + values.size()};
 }
 
-// A power of two, for transforms in which nothing wraps.
+// Returns a power of two, for transforms without wrap-around.
 std::size_t paddedLength(Index size) {
   std::size_t padded = 2;
   while (padded < static_cast<std::size_t>(size)) {
@@ -173,7 +173,7 @@ class Warping {
     return static_cast<std::size_t>(diagonal * (reach_ + 1) + i - firstOf(diagonal));
   }
 
-  // Row by row of diagonals. The cost of place i in the simulated signal is at i + 1: what no path reaches lies around.
+  // Diagonal by diagonal. The cost at sample i of the simulated signal is at i + 1, between cells that no path reaches.
   void fill() {
     constexpr double kNever = std::numeric_limits<double>::infinity();
     const Eigen::VectorXd backwards = measured_.reverse();
@@ -269,7 +269,7 @@ double resemblance(const Signal& signal) {
   return sums[0] > 0.0 ? most / sums[0] : 0.0;
 }
 
-// As a whole, or in most of its pieces: a programme of sines repeats itself in each of them.
+// Returns true if a signal repeats itself as a whole or in most of its pieces, as a sequence of sines does.
 bool repeatsItself(const Signal& signal) {
   constexpr double kSame = 0.9;  // a sine with noise of a third of its RMS
   constexpr Index kPieces = 8;
@@ -299,7 +299,7 @@ Iso18571 rateIso18571(const Eigen::VectorXd& measured, const Eigen::VectorXd& si
                     "ISO/TS 18571: the measured signal is constant or not finite");
   Iso18571 result;
   const bool finite = simulated.allFinite();
-  // All ratings are ratios. A power of two brings both signals below 1, so that no square overflows and no digit moves.
+  // All ratings are ratios. A power of two scales both signals below 1, so that no square overflows, without rounding.
   const double largest =
       std::max(measured.lpNorm<Eigen::Infinity>(), finite ? simulated.lpNorm<Eigen::Infinity>() : 0.0);
   const double scale = std::exp2(std::clamp(-1 - std::ilogb(largest), -1022, 1022));

@@ -1,4 +1,4 @@
-// The last cycles of a log: what a figure can show without running into one area.
+// The last cycles of a log, which a figure can show as separate loops.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace rubber_suspension::gap {
 
-/// The samples at which the motion has crossed its mean, noise apart, in one direction and the other by turns.
+/// Returns the samples at which the motion crosses its mean, in alternating directions and regardless of noise.
 std::vector<std::size_t> meanCrossings(const log::Log& log);
 
-/// Mean frequency of the motion [Hz]: half the number of crossings of its mean, noise apart, over the duration; 0 where
-/// there are none.
+/// Returns the mean frequency of the motion [Hz]: half the number of meanCrossings() over the duration; 0 if there are
+/// none.
 double meanFrequency(const log::Log& log);
 
-/// The first sample of the last `cycles` of that frequency; 0 where the log has no more, or the frequency is 0.
+/// Returns the first sample of the last `cycles` of that frequency; 0 if the log has no more, or the frequency is 0.
 std::size_t firstOfLastCycles(const log::Log& log, double frequency, double cycles);
 
 }  // namespace rubber_suspension::gap

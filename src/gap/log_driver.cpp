@@ -4,7 +4,7 @@
 namespace rubber_suspension::gap {
 namespace {
 
-// A channel at each sample; of a motion before the record, its first value.
+// Extends a channel to this number of samples by its first value, for a motion before the record.
 Eigen::VectorXd heldBefore(const Eigen::VectorXd& channel, Eigen::Index samples) {
   Eigen::VectorXd held(samples);
   held << Eigen::VectorXd::Constant(samples - channel.size(), channel[0]), channel;

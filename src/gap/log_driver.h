@@ -1,5 +1,5 @@
-// The one way to drive a component over records and logs at even steps, whole or piece by piece. Logs by their stamps
-// go through component::SampleStream, as in the node.
+// Drives a component over records and logs at even steps, whole or piece by piece. Logs with stamps are simulated by
+// component::SampleStream, as in the node.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,23 +15,23 @@ namespace rubber_suspension::gap {
 /// The past of a component where a log begins: it is new, or it has relaxed since the log before.
 enum class Before { nothing, another_log };
 
-/// Drives a component over one log after the other. It follows the temperature of a log and the displacement across,
-/// where the log has them and the component depends on them.
+/// Drives a component over one log after another. The component follows temperature and displacement across, if the log
+/// has them and the component depends on them.
 class LogDriver {
  public:
-  /// Throws std::invalid_argument for elements that make no component.
+  /// Throws std::invalid_argument for elements that are no component.
   explicit LogDriver(const std::vector<element::ElementDescription>& elements)
       : component_(elements), radial_(element::radialLaws(elements)), state_(component_.makeState()) {}
 
-  /// The next piece begins a log. The lead-in of an excerpt has to exist until then.
+  /// Begins a log with the next piece. The lead-in of an excerpt has to exist until that is driven.
   void begin(Before before, const log::LeadIn* lead_in = nullptr);
 
-  /// Force at each sample of a piece of the log [N], with this sampling interval [s]. A time gap before it is one step,
-  /// as `replay` and the node take it.
+  /// Computes the force at each sample of a piece of the log [N], with this sampling interval [s]. A time gap before
+  /// the piece is one step, as in `replay` and the node.
   void drive(const log::EvenBlocks::Piece& piece, double dt, double* force);
 
-  /// Force over all of a record [N], driven by this displacement [m]. Signals longer than the record have a motion
-  /// before it, with the first value of temperature and of the displacement across.
+  /// Returns the force over a whole record [N], driven by this displacement [m]. A displacement longer than the record
+  /// begins before it, with the first value of temperature and of displacement across.
   Eigen::VectorXd over(const log::Record& record, const Eigen::VectorXd& displacement, Before before);
 
  private:

@@ -9,9 +9,8 @@
 namespace rubber_suspension::gap {
 namespace {
 
-// Millimetres for metres are a factor of 1000. Half of it, on the scale of powers of ten, and a factor of three to be
-// sure: a log that is played at a tenth of the component's own amplitude is found, one at thirty times it is left
-// alone.
+// Millimetres instead of metres are a factor of 1000. The limit is half of that in powers of ten, times three: it
+// reports a log in millimetres at a tenth of the component's amplitude, but not a log at thirty times the amplitude.
 constexpr double kOddFactor = 100.0;
 
 // Longer than any travel of a rubber spring [m]; for components that state no length at all.
@@ -39,7 +38,7 @@ double longestLength(const std::vector<element::ElementDescription>& elements) {
   return longest;
 }
 
-// By the log's stiffness, which knows the units of both columns; nothing can be said where one of the forces is still.
+// Checks the log's stiffness, which depends on the units of both columns; returns nullopt if a range is 0.
 std::optional<std::string> oddStiffness(double stroke, double measured, double simulated) {
   if (!(stroke > 0.0) || !(measured > 0.0) || !(simulated > 0.0)) {
     return std::nullopt;

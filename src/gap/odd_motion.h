@@ -9,23 +9,23 @@
 
 namespace rubber_suspension::gap {
 
-/// The amplitude that a component is made for [m]: its nominal one, else the longest displacement among its parameters.
+/// The amplitude for which a component is made [m]: its nominal one, else the longest length among its parameters.
 using MotionScale = std::optional<double>;
 
 MotionScale motionScaleOf(const io::ComponentDescription& description);
 
-/// The oddity of an amplitude [m] for a component, as "5 m is 2500 times ..."; nothing where it is not.
+/// Describes an odd amplitude [m] for a component, as "5 m is 2500 times ..."; nullopt if it is not odd.
 std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale);
 
-/// The oddity of a log for a component: with a measured force, its stiffness against that of `force`, the
-/// component's for the same displacements [N]; else the amplitude. Nothing where neither is.
+/// Describes an odd log for a component: with a measured force, by its stiffness against that of `force`, the
+/// component's for the same displacements [N]; otherwise by its amplitude. Returns nullopt if it is not odd.
 std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale);
 
-/// Detects it before a simulation, by the component's static force at the ends of the log's displacement.
+/// Likewise before a simulation, by the component's static force at the ends of the log's displacement.
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
 
-/// The part of a log beyond the displacements for which a component is valid; nothing where all is within, or where it
-/// says nothing of them.
+/// Describes the part of a log beyond the displacements for which a component is valid; nullopt if there is none, or
+/// the component states no range.
 std::optional<std::string> beyondValid(const log::Log& log, const io::ComponentDescription& description);
 
 }  // namespace rubber_suspension::gap

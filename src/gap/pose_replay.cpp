@@ -25,7 +25,7 @@ Eigen::Vector3d vectorAt(const std::array<std::vector<double>, 6>& list, std::si
   return {list[first][sample], list[first + 1][sample], list[first + 2][sample]};
 }
 
-// Angles beyond the end of the measure would come back as others.
+// Angles beyond the range of the measure would be converted to other angles.
 bool holdsAt(const log::PoseLog& log, component::RotationMeasure measure, std::size_t sample) {
   return component::measureHolds(measure, vectorAt(log.coordinate, component::kRx, sample));
 }

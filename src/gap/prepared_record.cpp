@@ -1,4 +1,4 @@
-// The force of a record without what its rig may have added.
+// The force of a record without errors of its rig.
 #include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::gap {

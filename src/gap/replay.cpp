@@ -16,9 +16,9 @@
 namespace rubber_suspension::gap {
 namespace {
 
-constexpr std::size_t kMostPoints = 4000;  // of a curve; more than anyone can see
-constexpr double kCycles = 5.0;            // drawn: more run into one area
-constexpr double kBroad = 2.8;             // line width of what lies below another [pt]
+constexpr std::size_t kMostPoints = 4000;  // of a curve; more cannot be distinguished
+constexpr double kCycles = 5.0;            // in a figure: more would merge into one area
+constexpr double kBroad = 2.8;             // line width of the lower of two curves [pt]
 constexpr double kThin = 1.0;
 
 // Samples from `first` up to `last`.
@@ -27,7 +27,7 @@ struct Stretch {
   std::size_t last;
 };
 
-// Every n-th value of a stretch times a factor, n such that the curve is no longer than it may be.
+// Returns every n-th value of a stretch times a factor, so that there are at most kMostPoints.
 std::vector<double> thinned(const std::vector<double>& values, const Stretch& stretch, double factor) {
   const std::size_t stride = 1 + (stretch.last - stretch.first) / kMostPoints;
   std::vector<double> result;
@@ -45,7 +45,7 @@ std::vector<double> secondsOf(const log::Log& log) {
   return seconds;
 }
 
-// The measured curve is broad and below, the simulated one thin and above: both are to be seen.
+// The measured curve is broad and below, the simulated one thin and above, so that both are visible.
 io::Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const log::Log& log,
                    const std::vector<double>& force, const Stretch& stretch, const ForceLabels& labels) {
   io::Axes axes{"", x_label, labels.quantity};
@@ -66,8 +66,8 @@ io::Axes residualAxes(const std::vector<double>& seconds, const log::Log& log, c
   return axes;
 }
 
-// The whole log: the largest and the smallest value in each of as many stretches as can be seen, of what is measured
-// less what is simulated, or of the force where nothing is measured.
+// The envelope of the whole log: largest and smallest value in each of some stretches, of measured minus simulated
+// force, or of the force if none was measured.
 io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, const std::vector<double>& force,
                       const ForceLabels& labels) {
   constexpr std::size_t kStretches = 300;
@@ -135,7 +135,7 @@ std::vector<double> simulateLog(const component::Component& component, const log
   io::Progress progress("simulating " + log.name, log.size());
   std::vector<double> force;
   force.reserve(log.size());
-  constexpr std::size_t kPortion = 4096;  // samples that are checked and simulated while they are near the processor
+  constexpr std::size_t kPortion = 4096;  // samples that are checked and simulated while they are in the cache
   for (std::size_t first = 0; first < log.size(); first += kPortion) {
     const std::size_t size = std::min(kPortion, log.size() - first);
     log::checkSamples(log, first, size);
@@ -143,8 +143,8 @@ std::vector<double> simulateLog(const component::Component& component, const log
     const double* const temperature = log.temperature.empty() ? nullptr : log.temperature.data() + first;
     const std::size_t accepted = stream.pushAll(log.stamp.data() + first, log.displacement.data() + first, temperature,
                                                 size, force.data() + first);
-    // All samples are checked, so every sample is accepted but one whose force is too large for a double, or one at a
-    // temperature beyond the component's shift.
+    // All samples are checked, so a sample is only refused if its force is too large for a double or its temperature is
+    // outside the range of the component's shift.
     if (accepted < size) {
       refuseSample(component, log, first + accepted);
     }

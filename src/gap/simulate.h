@@ -1,4 +1,4 @@
-// Force of elements over prepared records: what fits and diagnosis compare with the measurement.
+// Force of elements over prepared records, for comparison with the measured force.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,15 +17,15 @@ using Forces = std::vector<Eigen::VectorXd>;
 /// Displacement of a record that drives a component.
 using Drive = std::function<Eigen::VectorXd(const PreparedRecord&)>;
 
-/// Force of a component over records in the order of their recording on one component [N]: between two of them it
-/// relaxes, but for what leads into excerpts. It is driven by the records' displacement unless `drive` gives another.
+/// Returns the force of one component over records in the order of their recording [N]. It relaxes between records,
+/// unless a lead-in continues the one before, and is driven by the records' displacement or that of `drive`.
 Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<PreparedRecord>& records,
                 const Drive& drive = {});
 
-/// The displacement as recorded, which drives `replay` and the node.
+/// Returns the displacement as recorded, which drives `replay` and the node.
 Eigen::VectorXd asRecorded(const log::Record& record);
 
-/// Each record on a new component at rest; from the displacement as recorded it is what `replay` and the node compute.
+/// Simulates each record on a new component at rest; with the displacement as recorded, as `replay` and the node do.
 Forces simulateEach(const std::vector<element::ElementDescription>& elements,
                     const std::vector<PreparedRecord>& records, const Drive& drive = asRecorded);
 

@@ -37,7 +37,7 @@ constexpr double kFewestCycles = 8.0;   // of the mean frequency
 
 Spectrum transform(const Eigen::VectorXd& values) { return numerics::paddedSpectrum({values.begin(), values.end()}); }
 
-// Long enough for the slowest motion, and for some lines in the octaves of most of it [s].
+// Long enough for the slowest motion, and for some spectral lines in the octaves of the mean frequency [s].
 double shortestWindow(const log::Record& record) {
   const double slowest = kFewestPeriods / record.lowest_frequency;
   return record.mean_frequency > 0.0 ? std::max(slowest, kFewestCycles / record.mean_frequency) : slowest;

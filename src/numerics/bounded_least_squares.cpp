@@ -36,7 +36,7 @@ Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, 
   return solveSymmetric(gram, moment);
 }
 
-// Move from x towards the solution on the free set until a bound is met; that unknown leaves the free set.
+// Moves x towards the solution on the free set until a bound is met; that unknown leaves the free set.
 bool moveFeasibly(const Problem& problem, std::vector<int>& free, const Eigen::VectorXd& target, Eigen::VectorXd& x) {
   double step = 1.0;
   std::size_t blocking = free.size();
@@ -101,7 +101,7 @@ Eigen::VectorXd solveWithin(const Eigen::MatrixXd& gram, const Eigen::VectorXd& 
     free.push_back(entering);
   }
   Eigen::VectorXd result = scale.cwiseProduct(x);
-  for (Eigen::Index i = 0; i < x.size(); ++i) {  // on a bound means on it to the last bit
+  for (Eigen::Index i = 0; i < x.size(); ++i) {  // an unknown on a bound is exactly equal to it
     result[i] = x[i] == problem.lower[i] ? lower[i] : x[i] == problem.upper[i] ? upper[i] : result[i];
   }
   return result;

@@ -20,7 +20,7 @@ struct BlockPlaces {
   std::vector<int> fold;
   std::vector<double> share;
   int folds = 0;
-  bool in_sample = true;  ///< the products in sample are wanted, too
+  bool in_sample = true;  ///< the products in sample are needed, too
 };
 
 /// Eliminates U from the `products` of [X U], where U has unknowns of each block with a penalty on their squares, such
@@ -34,7 +34,7 @@ BlockProducts withoutErrors(const std::vector<Eigen::MatrixXd>& products, const 
 BlockProducts withoutUnknowns(const BlockProducts& products, const Eigen::VectorXd& penalty, const BlockPlaces& places,
                               Eigen::MatrixXd& shares);
 
-/// Merges the blocks of each fold; without products in sample.
+/// Merges the blocks of each fold, also in `places`, and drops the products in sample.
 BlockProducts byFold(const BlockProducts& products, BlockPlaces& places);
 
 /// Returns the products of a selection of columns.

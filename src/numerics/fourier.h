@@ -16,7 +16,7 @@ class Fourier {
   Fourier& operator=(const Fourier&) = delete;
   ~Fourier();
 
-  /// Lines 0 to N/2 of N samples, sum over n of x[n] exp(-2 pi i k n / N); the other lines are their conjugates.
+  /// Returns lines 0 to N/2 of N samples, sum over n of x[n] exp(-2 pi i k n / N); the others are their conjugates.
   std::vector<std::complex<double>> halfSpectrum(const std::vector<double>& samples);
 
  private:
@@ -24,8 +24,8 @@ class Fourier {
   std::unique_ptr<Tables> tables_;
 };
 
-/// Spectrum of samples padded with zeros to a power of two, `shortest` or more: this preserves energies and is fast at
-/// any length.
+/// Returns the spectrum of samples padded with zeros to a power of two, `shortest` or more: this preserves energies and
+/// is fast at any length.
 std::vector<std::complex<double>> paddedSpectrum(std::vector<double> samples, std::size_t shortest = 2);
 
 /// Returns the `count` real samples with these lines 0 to N/2.

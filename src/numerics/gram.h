@@ -5,10 +5,10 @@
 
 namespace rubber_suspension::numerics {
 
-/// The Gram matrix of some columns, columns^T * columns, to the same bits on all processors.
+/// Returns the Gram matrix columns^T * columns, to the same bits on all processors.
 Eigen::MatrixXd gramOf(const Eigen::Ref<const Eigen::MatrixXd>& columns);
 
-/// left^T * right, likewise. Both have the same number of rows.
+/// Returns left^T * right, to the same bits on all processors. Both have the same number of rows.
 Eigen::MatrixXd productOf(const Eigen::Ref<const Eigen::MatrixXd>& left,
                           const Eigen::Ref<const Eigen::MatrixXd>& right);
 

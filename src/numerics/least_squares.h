@@ -31,10 +31,10 @@ Eigen::MatrixXd orthonormalColumns(const Eigen::MatrixXd& columns, double least_
 /// unbounded unknowns reach.
 Eigen::MatrixXd whiteningColumns(const Eigen::MatrixXd& c);
 
-/// Penalty on the squared unknowns of N for which least squares with them equal those weighted by (I + C C')^-1.
+/// Returns the penalty on squared unknowns of N with which least squares equal those weighted by (I + C C')^-1.
 Eigen::VectorXd penaltyOfWhitening(const Eigen::MatrixXd& n);
 
-/// Inverse of whiteningColumns(): columns C with the same C C'.
+/// Inverts whiteningColumns(): returns columns C with the same C C'.
 Eigen::MatrixXd columnsOfWhitening(const Eigen::MatrixXd& n);
 
 }  // namespace rubber_suspension::numerics

@@ -17,7 +17,7 @@ Number medianIn(std::vector<Number>& values) {
   return *middle;
 }
 
-/// Median of a copy, so that the values keep their order.
+/// Returns the median; the values keep their order.
 template <class Number>
 Number medianOf(std::vector<Number> values) {
   return medianIn(values);

@@ -17,23 +17,23 @@ class SumOfSquares {
 
   virtual ~SumOfSquares() = default;
 
-  /// The sum at these coordinates; not finite where there is none.
+  /// Returns the sum at these coordinates; not finite if there is none.
   virtual double at(const Eigen::VectorXd& x) = 0;
-  /// At the coordinates that at() was asked for last.
+  /// Returns the slope at the coordinates of the last call of at().
   virtual Slope slope() = 0;
-  /// A size that the sum is small against, such as the sum of squares of what was measured.
+  /// Returns a size compared with which a good fit is small, such as the sum of squares of the measured values.
   virtual double unit() const = 0;
-  /// Rounding of the sum, relative to unit().
+  /// Returns the rounding of the sum, relative to unit().
   virtual double rounding() const = 0;
 };
 
-/// Sum of squares of residuals with a Jacobian by central differences. Where they throw std::invalid_argument, it has
-/// no value.
+/// Sum of squares of residuals, with a Jacobian by central differences. It has no value where they throw
+/// std::invalid_argument.
 class DifferencedSquares final : public SumOfSquares {
  public:
   using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;
 
-  /// `step`: of each coordinate. The residuals are in units that a good fit is small against.
+  /// `step`: of each coordinate. The residuals of a good fit have to be small compared with 1.
   DifferencedSquares(Residuals residuals, double step) : residuals_(std::move(residuals)), step_(step) {}
 
   double at(const Eigen::VectorXd& x) override;
@@ -63,14 +63,14 @@ struct SearchTolerances {
   double step = 1e-9;   ///< of the coordinates, relative to their length
 };
 
-/// Where a search ended.
+/// The end of a search.
 struct Optimum {
   Eigen::VectorXd search;
-  double cost = 0.0;  ///< not finite where the search could not begin
+  double cost = 0.0;  ///< not finite if the search could not begin
 };
 
-/// Steps of Levenberg and Marquardt (J. J. More, Lect. Notes Math. 630 (1978) 105-116) over those coordinates that no
-/// limit holds. The search ends with the tolerances, or where a step promises less than the rounding of the sum.
+/// Minimises by Levenberg-Marquardt steps (J. J. More, Lect. Notes Math. 630 (1978) 105-116) over the coordinates that
+/// no limit holds. Ends with the tolerances, or if a step promises less than the rounding of the sum.
 Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limits& limits,
                     const SearchTolerances& tolerances = {});
 

@@ -18,17 +18,17 @@ struct Iso18571 {
   std::size_t blocks = 1;  ///< of the warping
 };
 
-/// Signals up to this length are warped as a whole, as the standard has it.
+/// Signals up to this length are warped as a whole, as in the standard.
 constexpr Eigen::Index kWarpedWhole = 10000;
 
 /// Rates a simulated signal. Both have even time steps and one length. Signals longer than `warped_whole` are warped in
-/// equal blocks of at most 2,000 samples, since the work of warping grows with the square of the length; all else is of
-/// the whole signal. A simulated signal that is not finite is rated 0. Throws std::invalid_argument where lengths
-/// differ, there are less than two samples, or the measured signal does not change or is not finite.
+/// equal blocks of at most 2,000 samples, since the work of warping grows with the square of the length; all other
+/// ratings are of the whole signal. A simulated signal that is not finite is rated 0. Throws std::invalid_argument if
+/// lengths differ, there are fewer than two samples, or the measured signal is constant or not finite.
 Iso18571 rateIso18571(const Eigen::VectorXd& measured, const Eigen::VectorXd& simulated,
                       Eigen::Index warped_whole = kWarpedWhole);
 
-/// The grade of a total: excellent above 0.94, good above 0.80, fair above 0.58, else poor.
+/// Returns the grade of a total: excellent above 0.94, good above 0.80, fair above 0.58, else poor.
 std::string iso18571Grade(double total);
 
 }  // namespace rubber_suspension::gap

@@ -11,10 +11,10 @@ namespace rubber_suspension::gap {
 
 /// Prior of the force that a rig may have added to one log; by default none.
 struct RigPrior {
-  /// Whitening columns N (numerics::whiteningColumns) of zero, lag, gain, slow noise and of the state left from before
-  /// the log, each within its prior; 0 where samples do not count; may be empty.
+  /// Whitening columns N (numerics::whiteningColumns) of offset, lag, gain, slow noise and of the component's state
+  /// before the log, each within its prior; 0 where samples do not count; may be empty.
   Eigen::MatrixXd columns;
-  /// Error that one standard deviation of any of them counts as, over the force's standard deviation.
+  /// Error as which one standard deviation of any of them counts, over the force's standard deviation.
   double one_deviation = 0.0;
   /// Largest standard deviation [N] of noise slower than the motion, or of a drift, that counts as noise.
   double slow_noise = std::numeric_limits<double>::infinity();
@@ -25,10 +25,10 @@ struct RigPrior {
 /// Errors of the rig in a single log, of any size, which are fitted with every model.
 struct OwnErrors {
   bool gain = false;  ///< the gain of the force's channel
-  bool zero = false;  ///< the zero of the force
+  bool zero = false;  ///< the offset of the force
 };
 
-/// A record, its rig and its weight. One that is made of a record alone is of a rig that adds nothing.
+/// A record, the errors of its rig and its weight. By default the rig has no errors.
 struct PreparedRecord : log::Record {
   PreparedRecord() = default;
   PreparedRecord(log::Record recorded, RigPrior prior = {}, double counts_as = 1.0)
@@ -38,8 +38,8 @@ struct PreparedRecord : log::Record {
   OwnErrors own;
   double weight = 1.0;  ///< of its mean squares among those of several logs, about 1 on average
 
-  /// A residual or a derivative of the force [N], r - N N'r: samples that do not count are 0, and what the rig may have
-  /// added is taken out as far as its priors let it explain r (Frisch and Waugh, Econometrica 1, 1933, with a prior).
+  /// Returns a residual or a derivative of the force [N] without errors of the rig, r - N N'r, as far as their priors
+  /// let them explain r (Frisch and Waugh, Econometrica 1, 1933, with a prior). Samples that do not count are 0.
   Eigen::VectorXd withoutRig(const Eigen::VectorXd& column) const;
 };
 

@@ -13,14 +13,14 @@
 
 namespace rubber_suspension::gap {
 
-/// Throws LogError, with the first such sample, where a log has a temperature at which the component's shifts do not
-/// hold. `first`: the place of the first sample, where these are a part of a log.
+/// Throws LogError, with the first such sample, if a temperature is outside the range of the component's shift.
+/// `first`: index of the first sample if the log is a part of another.
 void checkTemperature(const component::Component& component, const log::Log& log, std::size_t first = 0);
 
-/// The force [N] at every sample of a log, by the same stream that the node feeds: the same numbers to the last bit.
-/// The component is new and at rest at the log's first displacement, at the log's temperature where it has one. Shows
-/// progress on a terminal. `counters`, if given, receives what the stream counted. Throws LogError as checkLog does,
-/// where a force is not finite, and where a temperature is none at which the component's shift holds.
+/// Returns the force [N] at every sample of a log, by the same stream that the node feeds: the same numbers to the last
+/// bit. The component is new and at rest at the log's first displacement, and at the log's temperature if it has one.
+/// Shows progress on a terminal. `counters`, if given, receives those of the stream. Throws LogError as checkLog does,
+/// if a force is not finite, and if a temperature is outside the range of the component's shift.
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters = nullptr);
 
@@ -36,11 +36,11 @@ Replay replay(const component::Component& component, const log::Log& log);
 /// Treatment of the mean difference in a gap.
 enum class Offset { kept, removed };
 
-/// One line for the terminal: samples, duration, range of the force and, with a measured force, the gap.
+/// Returns one line for the terminal: samples, duration, range of the force and, with a measured force, the gap.
 std::string summary(const std::string& component, const log::Log& log, const Replay& replay,
                     Offset offset = Offset::kept);
 
-/// The names of the force of the log and of the other one in a figure, and what is drawn of them.
+/// The names of the log's force and of the other one in a figure, and the quantity on its axis.
 struct ForceLabels {
   std::string log = "measured";
   std::string force = "simulated";
@@ -48,12 +48,12 @@ struct ForceLabels {
   double factor = 1e-3;  ///< from SI to its unit
 };
 
-/// The last cycles: force over displacement and over time, measured less simulated below; and the whole log by its
-/// smallest and largest residual, or force.
+/// Returns a figure of the last cycles, force over displacement and over time and measured minus simulated force below,
+/// and of the whole log, by the smallest and largest residual, or force.
 io::Figure replayFigure(const std::string& component, const log::Log& log, const std::vector<double>& force,
                         const ForceLabels& labels = {});
 
-/// The last cycles of each direction that moves or carries a load: force over coordinate and over time.
+/// Returns a figure of the last cycles of each direction that moves or is loaded: force over coordinate and over time.
 io::Figure replayFigure(const std::string& component, const log::PoseLog& log,
                         const std::array<std::vector<double>, 6>& wrench);
 

@@ -26,12 +26,12 @@ struct GapCell {
   double squared = 0.0;      ///< its part of the squared gap, in variances of the force
 };
 
-/// Splits the squared residual. Each log is cut into windows of at least two periods of its slowest motion and eight
-/// of its mean frequency; in each
-/// window and octave the part of the residual that is coherent with the displacement is an error of stiffness (in
-/// phase) or of loss (in quadrature), what is not coherent is an error of harmonics (among them noise); the mean of the
-/// log is its mean, the windows' means about it are drift. `residual`: measured less simulated [N], `noise`: floor of
-/// each log in units of its force's standard deviation. Sorted by share, largest first.
+/// Splits the squared residual. Each log is cut into windows of at least two periods of its slowest motion and eight of
+/// its mean frequency; in each window and octave the part of the residual that is coherent with the displacement is an
+/// error of stiffness (in phase) or of loss (in quadrature), the incoherent part is an error of harmonics (including
+/// noise). The mean over the log is an error of the mean, the deviations of the windows' means from it are drift.
+/// `residual`: measured minus simulated [N], `noise`: floor of each log in units of its force's standard deviation.
+/// Sorted by share, largest first.
 std::vector<GapCell> gapMap(const std::vector<PreparedRecord>& records, const std::vector<Eigen::VectorXd>& residual,
                             const std::vector<double>& noise);
 
