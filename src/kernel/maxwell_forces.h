@@ -1,4 +1,4 @@
-// Forces of Maxwell elements one by one, which a fit needs of the same motion.
+// Separate forces of Maxwell elements with the same motion, for fits.
 #pragma once
 
 #include <cstddef>

@@ -1,12 +1,12 @@
-// Forces of Maxwell elements one by one, for one kind of processor. See instruction_sets.h.
+// Separate forces of Maxwell elements, for one kind of processor. See instruction_sets.h.
 #include "processor/lanes.h"
 #include "rubber_suspension/element/maxwell_force.h"
 
-/// Steps of elements side by side, from no force on; the forces of each go to samples of its own.
+/// Steps elements side by side, from rest on, and writes the forces of each to its own samples.
 inline void stepSideBySide(const MaxwellLanes& elements, double start, const double* displacement, std::size_t count,
                            double* const* force) {
   constexpr std::size_t kVectors = MaxwellLanes::kSize / kWidth;
-  constexpr std::size_t kBlock = 64;  // samples that are turned from rows to columns at a time
+  constexpr std::size_t kBlock = 64;  // samples that are transposed at a time
   double rows[kBlock][MaxwellLanes::kSize];
   Lanes decay[kVectors];
   Lanes gain[kVectors];

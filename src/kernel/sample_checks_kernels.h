@@ -23,7 +23,7 @@ inline bool increasing(const std::int64_t* stamp, std::size_t count) {
   return against == 0;
 }
 
-// Steps are so small that stamps which wrap around do not increase from the first to the last one.
+// The limit on the step ensures that stamps that wrap around do not increase from the first to the last one.
 inline bool even(const std::int64_t* stamp, std::size_t count, std::uint64_t step) {
   const std::uint64_t largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) / count;
   std::uint64_t differences = 0;

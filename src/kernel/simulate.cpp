@@ -1,16 +1,16 @@
 // Many steps of equal length at once: the sums of BasicLawsKernel::step, law after law over a block of samples, so that
-// what the laws remember stays in registers. The same bits as step by step.
+// the memory of the laws stays in registers. The bits are the same as step by step.
 #include "rubber_suspension/kernel/basic_laws_kernel.h"
 
 namespace rubber_suspension::kernel {
 namespace {
 
-// Samples. The Maxwell elements wait for their own last forces; the processor fills that time with what else there is
-// to do for a block, if the block is short enough for it to see that.
+// Samples. The Maxwell elements wait for their own last forces; meanwhile the processor executes the other instructions
+// of a block, if the block is short enough.
 constexpr std::size_t kSimulationBlock = 32;
 constexpr std::size_t kMostMaxwells = MaxwellBlock::kSize;
 
-// The laws, and the samples that they are stepped through.
+// The laws, and the samples over which they are stepped.
 struct LogSteps {
   const double* displacement;
   std::size_t count;

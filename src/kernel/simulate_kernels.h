@@ -19,7 +19,7 @@ class MaxwellPipeline {
   static constexpr std::size_t kVectors = (elements + kWidth - 1) / kWidth;
 
  public:
-  // Steps from where a sample comes in to where its sum is finished. Lanes without element add 0.
+  // Steps from the input of a sample to its complete sum. Lanes without element add 0.
   static constexpr std::size_t kLag = elements == 0 ? 0 : kVectors * kWidth - 1;
 
   MaxwellPipeline(const MaxwellBlock& block, const double* force) {
@@ -30,8 +30,8 @@ class MaxwellPipeline {
     }
   }
 
-  // Steps of a run over `count` samples; all of them are count + kLag. The sums are changed in place; there has to be
-  // room for kLag numbers before and after the increments and the sums.
+  // Executes a part of the steps of a run over `count` samples, which has count + kLag of them. The sums are changed in
+  // place; increments and sums need room for kLag numbers before and after them.
   __attribute__((always_inline)) void run(std::size_t from, std::size_t to, std::size_t count, const double* increment,
                                           double* sum) {
     std::size_t sample = from;
@@ -96,7 +96,7 @@ class MaxwellPipeline<0> {
   void save(double* /*force*/) const {}
 };
 
-// Forces on the branch that friction is on, added to a part of a block.
+// Adds the forces of friction on its present branch to a part of a block.
 inline void addBranch(const element::BergFriction& berg, const double* memory, const double* displacement,
                       std::size_t count, double* force) {
   const double reference_displacement = memory[element::BergFriction::kReferenceDisplacement];
@@ -112,7 +112,7 @@ inline void addBranch(const element::BergFriction& berg, const double* memory, c
   }
 }
 
-// The samples of a block that rise, that fall, and that are no numbers: a bit for each.
+// The samples of a block that rise, that fall, and that are NaN: a bit for each.
 struct Directions {
   std::uint64_t rising;
   std::uint64_t falling;
@@ -224,12 +224,12 @@ inline void addFriction(const LogSteps& steps, std::size_t first, std::size_t co
   }
 }
 
-// Samples on their travel: their increments, and the sums of what dashpots and Maxwell elements give for them.
+// Some samples in the pipeline: their increments, and the sums of the forces of dashpots and Maxwell elements.
 class Portion {
  public:
   static constexpr std::size_t kSize = 16 * kSimulationBlock;
 
-  // Goes to the samples from `first` on; there are none after the end.
+  // Continues with the samples from `first` on; there are none after the end.
   void start(const LogSteps& steps, std::size_t first) {
     first_ = first;
     count_ = first >= steps.count ? 0 : steps.count - first < kSize ? steps.count - first : kSize;
@@ -237,7 +237,7 @@ class Portion {
     std::memset(sum_ + kRoom + count_, 0, kRoom * sizeof(double));
   }
 
-  // Increments and dashpots of a block.
+  // Computes increments and dashpots of a block.
   void prepare(const LogSteps& steps, std::size_t from) {
     if (from + kSimulationBlock <= count_) {
       prepare(steps, from, kSimulationBlock);
@@ -246,7 +246,7 @@ class Portion {
     }
   }
 
-  // Maxwell elements over a block, or over all, and what they lag behind where they come to the end.
+  // Steps Maxwell elements over a block, or over all samples, and at the end over their lag as well.
   template <std::size_t elements>
   __attribute__((always_inline)) void advance(std::size_t from, std::size_t count,
                                               MaxwellPipeline<elements>& maxwells) {
@@ -256,7 +256,7 @@ class Portion {
     }
   }
 
-  // Friction and springs of a block.
+  // Adds friction and springs of a block.
   void finish(const LogSteps& steps, std::size_t from) const {
     if (from + kSimulationBlock <= count_) {
       finish(steps, from, kSimulationBlock);
@@ -303,8 +303,8 @@ class Portion {
   double sum_[kRoom + kSize + kRoom];
 };
 
-// `last` of the Maxwell elements, eight at most, keep their forces in registers throughout; those before them come and
-// go with each portion. Each step of theirs waits eight cycles for the one before it. In that time the processor
+// The `last` Maxwell elements, eight at most, keep their forces in registers throughout; those before them are loaded
+// and saved with each portion. Each of their steps waits eight cycles for the one before it. Meanwhile the processor
 // prepares the next portion and finishes the one before, block by block, since it does not look further ahead.
 template <std::size_t last>
 inline void simulateWith(const LogSteps& steps) {

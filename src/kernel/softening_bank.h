@@ -17,20 +17,20 @@ struct SofteningBlock {
 
   Numbers reduction{};                               ///< R/tanh(1/w) [-]
   Numbers steepness{};                               ///< 2/w [-]
-  Numbers by_ratio{}, by_square{};                   ///< which power of |z|/S counts: one of them is 1
-  Numbers evenly{}, by_reach{}, by_reach_squared{};  ///< which power of S/S_f counts: one of them is 1
+  Numbers by_ratio{}, by_square{};                   ///< factors of the powers of |z|/S: one of them is 1
+  Numbers evenly{}, by_reach{}, by_reach_squared{};  ///< factors of the powers of S/S_f: one of them is 1
   Numbers inverse_full_reach{};                      ///< 1/S_f [1/m]
   Numbers side{};                                    ///< -1, 0, 1
   Numbers inverse_path{};                            ///< 1/L [1/m]
   Numbers recovery_rate{};                           ///< 1/T [1/s]
-  bool recovers = false;                             ///< any of them
+  bool recovers = false;                             ///< any of them recovers
 };
 
-/// The product of their factors, which differs from that of the laws one by one in rounding alone. Memory: theirs, one
-/// after the other.
+/// Product of the factors of several laws, which differs from that of the single laws by rounding only. Memory: that of
+/// the laws, one after the other.
 class SofteningBank final : public element::ForceEffect {
  public:
-  /// True if the bank supports a law with all parameters given: its powers need no std::pow.
+  /// Returns true if the bank supports a law with all parameters given: its powers need no std::pow.
   static bool takes(const element::ElementDescription& law);
 
   /// `description` is that of the law.

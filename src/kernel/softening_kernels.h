@@ -8,8 +8,8 @@ inline Lanes smaller(const Lanes& one, const Lanes& other) { return select(one <
 /// exp(-x) for x >= 0, to a relative 1e-15: x is reduced by multiples of ln 2, and the remainder is halved and its
 /// result squared.
 inline Lanes fallen(const Lanes& x) {
-  constexpr double kMost = 700.0;          // beyond, the result is 0
-  constexpr double kToInteger = 0x1.8p52;  // its last bits count what is added
+  constexpr double kMost = 700.0;          // beyond, the result is negligible
+  constexpr double kToInteger = 0x1.8p52;  // its last bits count whole numbers
   constexpr double kHighLn2 = 6.93147180369123816490e-01;
   constexpr double kLowLn2 = 1.90821492927058770002e-10;
   const Lanes at = smaller(x, spread(kMost));
@@ -21,7 +21,7 @@ inline Lanes fallen(const Lanes& x) {
   return root * root * reinterpret_cast<Lanes>(power);
 }
 
-/// Towards the reach of the present displacement.
+/// Moves the memory towards the reach of the present displacement.
 inline Lanes recovered(const Lanes& reach, const Lanes& reached, const Lanes& rate, const Lanes& kept) {
   const Lanes left = smaller(reach, reached + larger(reach - reached, Lanes{}) * kept);
   return select(rate > 0.0, left, reach);
@@ -37,7 +37,7 @@ inline Lanes softened(const SofteningBlock& laws, std::size_t lane, double dt, d
   Lanes soft = load(reach + lane);
   if (laws.recovers) {
     const Lanes rate = load(laws.recovery_rate.data() + lane);
-    const Lanes kept = 1.0 - (1.0 - fallen(dt * rate));  // nothing where the laws by themselves keep nothing
+    const Lanes kept = 1.0 - (1.0 - fallen(dt * rate));  // 0 where that of the single laws is 0
     most = recovered(most, reached, rate, kept);
     soft = recovered(soft, reached, rate, kept);
   }
@@ -60,7 +60,7 @@ inline Lanes softened(const SofteningBlock& laws, std::size_t lane, double dt, d
   return select(aside < soft, 1.0 - reduction * (1.0 - rest) / (1.0 + rest), spread(1.0));
 }
 
-/// Their product, in the same order on each processor. Memory: M, S of each law.
+/// Returns the product of their factors, in the same order on each processor. Memory: M, S of each law.
 inline double softenedProduct(const SofteningBlock* blocks, std::size_t laws, double dt, double displacement,
                               double increment, double* memory) {
   constexpr std::size_t kSize = SofteningBlock::kSize;

@@ -8,7 +8,7 @@ namespace rubber_suspension::processor {
 namespace {
 
 Instructions widest() {
-// On Windows the stack is aligned to 16 bytes, and compilers of GCC may spill 32 of them to it (GCC bug 54412).
+// On Windows the stack is aligned to 16 bytes, and GCC may spill vectors of 32 bytes to it (GCC bug 54412).
 #if defined(__x86_64__) && !defined(_WIN32)
   if (__builtin_cpu_supports("avx512f") != 0) {
     return Instructions::avx512;

@@ -1,7 +1,7 @@
-// Numbers side by side in one vector of the processor. No include guard: this is included once for each kind of
-// processor by instruction_sets.h, into a namespace that says how many numbers a vector has (kWidth).
+// Numbers side by side in one vector of the processor. No include guard: instruction_sets.h includes this once for each
+// kind of processor, in a namespace that defines how many numbers a vector has (kWidth).
 
-/// GCC's vector type, which Clang knows, too.
+/// A vector type of GCC that Clang supports, too.
 using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
 /// The result of a comparison: all bits of a lane set, or none.
 using LaneMask = decltype(Lanes{} < Lanes{});
@@ -17,7 +17,7 @@ inline void store(const Lanes& lanes, double* numbers) { std::memcpy(numbers, &l
 /// Copies a number to each lane.
 inline Lanes spread(double number) { return number - Lanes{}; }
 
-/// Each number in the lane before its own, and in the last lane the first one of what follows.
+/// Moves each number to the lane before its own, and the first number of `following` to the last lane.
 inline Lanes shifted(const Lanes& lanes, const Lanes& following) {
 #ifdef __clang__
   Lanes result;

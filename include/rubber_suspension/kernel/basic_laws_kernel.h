@@ -1,4 +1,4 @@
-// Springs, dashpots, Maxwell elements and Berg friction in parallel, fast: with the bits of their laws one by one.
+// Fast springs, dashpots, Maxwell elements and Berg friction in parallel, with the same bits as their single laws.
 #pragma once
 
 #include <algorithm>
@@ -19,28 +19,28 @@
 
 namespace rubber_suspension::kernel {
 
-/// The numbers that a kernel derives from its laws, step length and memory to make the next step fast. It contains all
-/// data of such a step besides the memory, so that little is fetched for each of many components. It need not be saved.
+/// Numbers that a kernel derives from its laws, step length and memory to make the next step fast. They are all data of
+/// such a step besides the memory, so that little is fetched for each of many components. They need not be saved.
 /// Throws nothing.
 struct PreparedStep {
-  double dt = -1.0;               ///< step length that the coefficients are for [s]
+  double dt = -1.0;               ///< step length of the coefficients [s]
   double dashpot_gain = 0.0;      ///< c/dt [N/m]
   double spring_stiffness = 0.0;  ///< [N/m]
-  element::BergSide branch;       ///< that the memory of a single friction describes, or none
+  element::BergSide branch;       ///< branch of a single friction with the present memory, or none
   std::uint32_t friction_count = 0;
   std::uint32_t maxwell_count = 0;
   /// Coefficients of the Maxwell elements.
   boost::container::small_vector<MaxwellBlock, 1, boost::alignment::aligned_allocator<MaxwellBlock, kCacheLine>>
       maxwells;
 
-  /// True if a step is as long as the one before and reverses no friction, so that continueTo() is the step.
+  /// Returns true if a step is as long as the one before and reverses no friction: continueTo() is then the step.
   __attribute__((always_inline)) bool continues(double length, double displacement, const double* memory) const {
     return sameBits(length, dt) &&
            (friction_count == 1 ? element::BergFriction::keepsDirection(branch, displacement, memory + maxwell_count)
                                 : friction_count == 0);
   }
 
-  /// Calls nothing.
+  /// Returns the force [N] after such a step; calls no function.
   __attribute__((always_inline)) element::ComponentForce continueTo(double displacement, double increment,
                                                                     double* memory) const {
     const double friction =
@@ -48,7 +48,7 @@ struct PreparedStep {
     return advance(displacement, increment, friction, memory);
   }
 
-  /// Advances the Maxwell elements; the force [N] of all with theirs, that of the dashpots and friction.
+  /// Advances the Maxwell elements; returns the force [N] of all laws, given that of friction.
   __attribute__((always_inline)) element::ComponentForce advance(double displacement, double increment, double friction,
                                                                  double* memory) const {
     const double elastic = spring_stiffness * displacement;
@@ -57,7 +57,7 @@ struct PreparedStep {
   }
 
  private:
-  /// Equality of step lengths, which are neither 0 nor NaN, as integers: that is two instructions less.
+  /// Compares step lengths, which are neither 0 nor NaN, as integers, which saves two instructions.
   static bool sameBits(double one, double other) {
     std::uint64_t bits = 0;
     std::uint64_t other_bits = 0;
@@ -84,43 +84,43 @@ class BasicLawsKernel {
 
   std::size_t memorySize() const { return maxwell_count_ + frictions_.size() * element::BergFriction::kMemorySize; }
 
-  /// Makes a step of the right size, without a step length.
+  /// Returns a step of the right size, without a step length.
   PreparedStep makePreparedStep() const;
 
-  /// Initialises the memory at rest at this displacement [m], relaxed since long.
+  /// Initialises the memory at rest at this displacement [m], fully relaxed.
   element::ComponentForce initialise(double displacement, double* memory) const;
 
-  /// Brings the coefficients to a step length > 0 [s].
+  /// Computes the coefficients of a step length > 0 [s].
   void prepare(double dt, PreparedStep& prepared) const;
 
-  /// Advances by one step, from numbers that stay in registers. `prepared` is of this kernel, and its branch that of
-  /// the memory, or none.
+  /// Advances by one step, with arguments in registers. `prepared` belongs to this kernel, and its branch, if any, to
+  /// the memory.
   element::ComponentForce step(double dt, double displacement, double increment, double* memory,
                                PreparedStep& prepared) const;
 
-  /// step() of a length that is prepared, without use of the branch: for a memory that others change as well.
+  /// Advances by a step of the prepared length without the branch, for a memory that others change as well.
   element::ComponentForce stepWithoutBranch(const element::Motion& motion, double* memory,
                                             const PreparedStep& prepared) const {
     return prepared.advance(motion.displacement, motion.increment, advanceFrictions(motion.displacement, memory),
                             memory);
   }
 
-  /// As many steps of dt [s] as there are displacements [m], from the displacement `start` on; the total forces [N] go
-  /// to `force`. Several times as fast as step() after step().
+  /// Simulates steps of dt [s] to `count` displacements [m], from the displacement `start` on, and writes the total
+  /// forces [N] to `force`. Several times as fast as single steps.
   void simulate(double dt, double start, const double* displacement, std::size_t count, double* force, double* memory,
                 PreparedStep& prepared) const;
 
-  /// Force of all but friction at the end of a step from the displacement `start` [m], by the displacement there.
+  /// Returns the force without friction at the end of a step from `start` [m], as a function of the displacement there.
   LinearForce withoutFriction(double start, const double* memory, const PreparedStep& prepared) const;
 
-  /// Force of friction [N] if the displacement became this one [m]; the memory stays.
+  /// Returns the force of friction [N] after a step to this displacement [m]; the memory does not change.
   double frictionAt(double displacement, const double* memory) const;
 
-  /// Displacement z [m] at the end of a step, where slope z + offset + compliance friction(z) = 0, by the closed form
-  /// for a single friction that keeps its direction; nothing where friction does otherwise.
+  /// Returns the displacement z [m] at the end of a step with slope z + offset + compliance friction(z) = 0, in closed
+  /// form; nullopt for several frictions, or if friction changes its direction.
   std::optional<double> balance(double slope, double offset, double compliance, const double* memory) const;
 
-  /// K* [N/m] at angular frequency omega [rad/s]; nothing if there is friction.
+  /// Returns K* [N/m] at angular frequency omega [rad/s]; nullopt if there is friction.
   std::optional<std::complex<double>> complexStiffness(double omega) const;
 
  private:
@@ -146,7 +146,7 @@ class BasicLawsKernel {
   std::vector<element::BergFriction> frictions_;
 };
 
-// Inline, as a series balance calls them in each trial.
+// Inline, because a series balance calls them in each trial.
 
 inline LinearForce BasicLawsKernel::withoutFriction(double start, const double* memory,
                                                     const PreparedStep& prepared) const {

@@ -10,10 +10,10 @@ namespace rubber_suspension::kernel {
 
 constexpr std::size_t kCacheLine = 64;  ///< bytes
 
-/// Two numbers in one register. GCC's vector type, which Clang knows, too.
+/// Two numbers in one register: a vector type of GCC that Clang supports, too.
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
-/// Coefficients of the step of eight Maxwell elements, as MaxwellStep has them.
+/// Coefficients of the step of eight Maxwell elements, as in MaxwellStep.
 struct alignas(kCacheLine) MaxwellBlock {
   static constexpr std::size_t kSize = 8;
 
@@ -21,7 +21,7 @@ struct alignas(kCacheLine) MaxwellBlock {
   Pair gain[kSize / 2];
 
   /// Advances two elements by an increment of displacement [m], and adds their forces [N] to the first number of `sum`,
-  /// one after the other; what becomes of the second is no matter.
+  /// one after the other; the second number is not used.
   void stepPair(std::size_t pair, double increment, double* force, Pair& sum) const {
     Pair forces;
     std::memcpy(&forces, force, sizeof forces);
@@ -31,8 +31,8 @@ struct alignas(kCacheLine) MaxwellBlock {
     sum += Pair{forces[1], forces[1]};
   }
 
-  /// Advances the first elements, eight at most, likewise. Without a loop, which would cost as much as the elements do,
-  /// and nested, so that no address is computed.
+  /// Advances the first elements, eight at most, likewise. Recursion replaces a loop, which would cost as much as the
+  /// elements do, and nested conditions avoid the computation of addresses.
   template <std::size_t first = 0>
   __attribute__((always_inline)) void stepFirst(std::size_t count, double increment, double* force, Pair& sum) const {
     if constexpr (first < kSize) {
@@ -47,8 +47,8 @@ struct alignas(kCacheLine) MaxwellBlock {
   }
 };
 
-/// Advances `count` Maxwell elements by an increment of displacement [m]; returns `start` and their forces [N], added
-/// in their order. `force` is what they remember.
+/// Advances `count` Maxwell elements by an increment of displacement [m]; returns the sum of `start` and their forces
+/// [N], in their order. `force` is their memory.
 __attribute__((always_inline)) inline double stepMaxwells(const MaxwellBlock* block, std::size_t count,
                                                           double increment, double start, double* force) {
   Pair sum = {start, 0.0};
