@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kPathBlock = 64;  // most steps at once, law after law
 
-// A count of steps at once is a number, or the one that the compiler knows.
+// The number of steps at once: a variable, or the constant 1 for the compiler.
 using One = std::integral_constant<std::size_t, 1>;
 template <class Number, class Count>
 using Block = std::array<Number, std::is_same_v<Count, One> ? 1 : kPathBlock>;
@@ -269,7 +269,7 @@ element::ComponentForce Component::startTestPiece(double displacement, Start kin
   return force;
 }
 
-// Displacement of a test piece with this force, which is at `before` at the begin of the step.
+// Displacement of a test piece with this force, which was at `before` at the beginning of the step.
 template <class Force>
 double Component::solveSeries(Force force, double path, double before, double guess) const {
   const double closed = solveSeriesBalance([&](double z) { return z + series_.deflection(force(z)) - path; }, guess);
@@ -460,7 +460,7 @@ void Component::stepElements(const kernel::PreparedStep& prepared, const element
   }
 }
 
-// F = sum of F_i, in the reduced time and times b_T where there is a temperature, scaled.
+// F = sum of F_i, in reduced time and times b_T if there is a shift with temperature, then scaled by the force effects.
 template <class Count>
 void Component::stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count,
                               double* memory, element::ComponentForce* force) const {

@@ -45,7 +45,7 @@ using ElementList = std::vector<element::ElementDescription>;
 
 // Elements by their treatment in the coupling.
 struct SortedElements {
-  ElementList along;  // each direction by itself
+  ElementList along;  // separate in each direction
   ElementList elastic;
   ElementList scaled;
   ElementList friction;
@@ -135,7 +135,7 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
     points_[i].slope = (points_[i + 1].force - points_[i].force) / width;
     points_[i + 1].energy = points_[i].energy + 0.5 * (points_[i].force + points_[i + 1].force) * width;
   }
-  // Beyond the last point the table continues, also if that is below 0.
+  // The table continues beyond its last point, even if that is below 0.
   const double beyond = points_.back().radius + std::max(points_.back().radius, 1.0);
   points_.back().slope = (forceAt(law, beyond) - points_.back().force) / (beyond - points_.back().radius);
 }

@@ -13,7 +13,7 @@ namespace rubber_suspension::component {
 /// The static curve, the stops and the radial stiffnesses of one direction as functions of the radius r >= 0.
 class RadialLaw {
  public:
-  /// Throws std::invalid_argument where a curve is not odd, or is a second one.
+  /// Throws std::invalid_argument for a curve that is not odd, or is a second one.
   void addCurve(const element::ElementDescription& table);
   void addStop(const element::ElementDescription& stop);
   void addStiffening(const element::ElementDescription& radial);
@@ -23,11 +23,11 @@ class RadialLaw {
   double curveEnergy(double r) const;
   double energy(double r) const;  ///< of all [J]
 
-  /// Force of a displacement along the direction alone, without that of the radius [N].
+  /// Returns the force of the radial stiffnesses for a displacement in this direction alone, which is subtracted [N].
   double own(double displacement) const;
 
-  /// Stiffness or damping in proportion to the slope of the curve: their ratio. Throws std::invalid_argument where the
-  /// entry's `values` do not follow the curve.
+  /// Returns the ratio of an entry's stiffness or damping to the slope of the curve. Throws std::invalid_argument if
+  /// the entry's `values` are not proportional to that.
   double ratioOf(const element::ElementDescription& entry, const std::string& values) const;
 
   bool hasCurve() const { return !points_.empty(); }
@@ -55,28 +55,28 @@ class RadialLaw {
 };
 
 /// Two directions (cylindrical) or three (spherical) with coordinates d, r = |d|. Of these laws
-///   - spring, Maxwell element, dashpot and springpot act along each direction by itself, as vectors do;
+///   - spring, Maxwell element, dashpot and springpot act separately in each direction, as vectors do;
 ///   - static curve, stop and radial_stiffness have the potential U = sum c_i^2 U_i(r), c = d/r, with U_i that of
-///     direction i: the radial force is the elliptic interpolation sum c_i^2 F_i(r), and a tangential one makes it do
-///     no work over closed loops; F = F(r) c where the directions have one law. What a radial_stiffness has along one
-///     direction alone is taken out of it;
+///     direction i: the radial force is the elliptic interpolation sum c_i^2 F_i(r), and due to a tangential force no
+///     work is done over closed loops; F = F(r) c if the directions have one law. The force of a radial_stiffness along
+///     one direction alone is subtracted;
 ///   - a branch that is scaled along the curve follows the force F_s of the curves,
 ///     dF_j/dt = (k_j/k_0) dF_s/dt - F_j/tau_j, a dashpot likewise, F_j = (c/k_0) dF_s/dt; F_s is linear in time
 ///     between the radii at which the slope changes, which is exact for motion along a radius;
-///   - each slider of a bank has a force vector, brought back along itself to its limit.
-/// Any other law is refused. Source: elliptic interpolation as the bushing of Adams Car has it, there without the
-/// tangential force.
+///   - each slider of a bank has a force vector, whose magnitude is limited.
+/// Any other law is refused. Source: elliptic interpolation as in the bushing of Adams Car, which has no tangential
+/// force.
 class RadialCoupling {
  public:
   using Coordinates = std::array<double, kDirections>;  // [m, rad]
 
-  /// Takes those of the laws that are not along each direction out of their elements. Throws std::invalid_argument that
+  /// Removes the laws that are not separate in each direction from their elements. Throws std::invalid_argument that
   /// begins with the direction.
   RadialCoupling(std::vector<Direction> directions, SixElements& elements);
 
   std::size_t memorySize() const { return 3 * sliders_.size() + branch_count_; }
 
-  /// At rest at coordinates, relaxed; adds to the forces.
+  /// Initialises the memory at rest at coordinates, relaxed; adds the forces.
   void initialise(const Coordinates& coordinates, double* memory, BushForce& force) const;
 
   /// Advances over a step in which the coordinates are linear; adds the forces at its end.

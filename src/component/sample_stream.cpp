@@ -10,7 +10,7 @@
 namespace rubber_suspension::component {
 namespace {
 
-constexpr double kLongestGap = 9e9;  // [s], what fits into signed nanoseconds
+constexpr double kLongestGap = 9e9;  // [s]; fits into signed nanoseconds
 
 }  // namespace
 
@@ -81,7 +81,7 @@ void SampleStream::save() {
   step_count_ = 0;
 }
 
-// Undoes the last step, or all since the state was saved if that was no step.
+// Undoes the last step; restores the saved state if there was no step since.
 void SampleStream::rollBack() {
   step_count_ -= step_count_ > 0 ? 1 : 0;
   state_.copyFrom(saved_);

@@ -9,7 +9,7 @@
 namespace rubber_suspension::component {
 namespace {
 
-// Adds a compliance, or notes from which force on there is no end to it.
+// Adds a compliance; an infinite one is a contact that opens beyond its preload.
 void addSide(double compliance, double preload, double& sum, double& opens) {
   const bool finite = std::isfinite(compliance);
   sum += finite ? compliance : 0.0;

@@ -12,8 +12,8 @@ struct RootSample {
   double value;
 };
 
-/// Root between two samples of unlike signs by the method of Anderson and Bjorck (BIT 13, 1973): secants, the end that
-/// stays weighed down such that both ends close in. It ends where the value is rounding, or the bracket has no inside.
+/// Returns the root between two samples of opposite signs by the method of Anderson and Bjorck (BIT 13, 1973): secants,
+/// with a reduced value at the end that stays. Ends if the value or the bracket is at rounding.
 template <class Function>
 double rootBetween(Function function, RootSample stays, RootSample latest) {
   constexpr double kRounding = 2.0 * std::numeric_limits<double>::epsilon();
@@ -39,9 +39,9 @@ double rootBetween(Function function, RootSample stays, RootSample latest) {
   return latest.position;
 }
 
-/// Root of mismatch(z) = z + u(F(z)) - z_path next to the guess. If its slope is at least the least slope (1 unless a
-/// tangent stiffness is negative), the root is between the guess and the guess minus its mismatch over that slope;
-/// otherwise one or more steps beyond, each twice as long. NaN if there is none: the test piece is unstable.
+/// Returns the root of mismatch(z) = z + u(F(z)) - z_path next to the guess. If its slope is at least the least slope
+/// (1 unless a tangent stiffness is negative), the root is between the guess and the guess minus its mismatch over that
+/// slope; otherwise one or more steps beyond, each twice as long. NaN if there is none: the test piece is unstable.
 template <class Mismatch>
 double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 1.0) {
   constexpr int kWidenings = 60;
@@ -66,8 +66,8 @@ double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 
   return rootBetween(mismatch, {guess, at_guess}, {other, at_other});
 }
 
-/// Displacement of a free test piece with this force beyond what an open contact keeps, next to one at which it has the
-/// wrong sign: the root of force(z). `before`, the displacement at the begin of the step, is near the root.
+/// Returns the displacement of a test piece behind an open contact, the root of force(z): its force minus that of the
+/// contact, which has the wrong sign at `wrong`. `before`, the displacement before the step, is near the root.
 template <class Force>
 double solveFreeLength(Force force, double wrong, double force_there, double before) {
   constexpr double kLeast = 1e-12;  // [m]

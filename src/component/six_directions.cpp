@@ -150,7 +150,7 @@ void SixDirections::addCoupling(std::vector<Direction> directions, SixElements& 
   coupled_size_ += couplings_.back()->memorySize();
 }
 
-// Elements by the radius of two directions across the axis that are rectangular else.
+// Couples elements by the radius of the two directions across the axis, which are rectangular otherwise.
 void SixDirections::coupleRadial(Direction first, SixElements& elements) {
   const std::vector<Direction> across = coupledDirections(first, Coupling::cylindrical, laws_.axis);
   SixElements radial;

@@ -52,7 +52,7 @@ class alignas(kernel::kCacheLine) ComponentState {
 
   double displacement_ = 0.0;
   bool kernel_alone_ = false;      // as in the component
-  kernel::PreparedStep prepared_;  // derived, not saved; a branch only where the component is the kernel alone
+  kernel::PreparedStep prepared_;  // derived, not saved; a branch only if the component is the kernel alone
   // Memory of all elements, block after block; inline for most components, on cache lines next to the coefficients.
   boost::container::small_vector<double, 16> memory_;
   Trial trial_;  // not saved
@@ -70,14 +70,14 @@ struct Tangent {
 ///      displacement of the test piece;
 ///   2. test piece: F = sum of F_i over the elements in parallel;
 ///   3. softening and heating scale this force;
-///   4. what belongs to the rig (inertia, offset, drift) is moved by z itself and adds to F.
-/// Where the component has a shift with temperature, the elements of the test piece run on the reduced time dt/a_T and
+///   4. parts of the rig (inertia, offset, drift) follow z itself and add to F.
+/// If the component has a shift with temperature, the elements of the test piece run on the reduced time dt/a_T and
 /// their sum is multiplied by b_T, before softening and heating. Without a temperature a_T = b_T = 1.
 ///
-/// Order of the path, whatever that of the entries: what is late is a sensor, so the delay comes first and all else
-/// sees the displacement as it was at the time of the force. Free play comes before the compliance: it is given, and
-/// seen in a log, as a width of displacement that moves nothing, whatever force the test piece still holds. The two
-/// commute where the test piece has no force at zero displacement, but not where friction or relaxation leave it some.
+/// The order of the path does not depend on that of the entries. A delay is that of a sensor, so it comes first and all
+/// else has the displacement at the time of the force. Free play comes before the compliance: it is specified, and
+/// visible in a log, as a range of displacement that moves nothing, whatever the force of the test piece. The two
+/// commute if the test piece has no force at zero displacement, but not if friction or relaxation leave a force there.
 ///
 /// Parameters are fixed at construction; all history is in ComponentState, so one component may serve several threads.
 class Component {
@@ -85,7 +85,7 @@ class Component {
   /// Throws std::invalid_argument that names entry, parameter, value and what is accepted.
   explicit Component(const std::vector<element::ElementDescription>& elements);
 
-  /// A state of the right size, at rest at zero displacement.
+  /// Returns a state of the right size, at rest at zero displacement.
   ComponentState makeState() const;
 
   /// Restores a state from its displacement() [m] and memory(). Throws std::invalid_argument, without changing the
@@ -114,10 +114,10 @@ class Component {
                : kernel_.step(dt, displacement, increment, memory, state.prepared_);
   }
 
-  /// True if the component depends on temperature.
+  /// Returns true if the component depends on temperature.
   bool shiftsWithTemperature() const { return !shifts_.empty(); }
 
-  /// Temperatures [degC] at which its shifts are valid.
+  /// Returns the temperatures [degC] at which its shifts are valid.
   const element::Range& temperatures() const { return temperatures_; }
 
   /// Sets the temperature [degC] of the following steps and computes the factors; the memory does not change. Without
@@ -139,10 +139,10 @@ class Component {
   /// Linearises the step of dt [s] from `state` to a displacement [m] about its end, by central differences of two
   /// trial steps 10 nm to either side (relative error about 1e-7 for friction that reverses within 0.1 mm, 1e-9 for
   /// linear laws). At a reversal, where friction has two slopes, it is their mean. `trial` is working space from
-  /// makeState(). Neither `state` nor memory allocation is touched.
+  /// makeState(). Does not change `state` and allocates nothing.
   Tangent tangent(const ComponentState& state, double dt, double displacement, ComponentState& trial) const;
 
-  /// True if all elements are linear, so that complexStiffness has a value.
+  /// Returns true if all elements are linear, so that complexStiffness has a value.
   bool linear() const;
 
   /// Returns K*, the dynamic stiffness [N/m] at a frequency [Hz]; nullopt if an element is nonlinear.
@@ -150,13 +150,13 @@ class Component {
     return complexStiffnessShifted(frequency, {});
   }
 
-  /// K* at a frequency [Hz] and a temperature [degC]: that of the test piece is b_T K*(a_T omega). Throws as
+  /// Returns K* at a frequency [Hz] and a temperature [degC]: that of the test piece is b_T K*(a_T omega). Throws as
   /// setTemperature() does.
   std::optional<std::complex<double>> complexStiffness(double frequency, double temperature) const {
     return complexStiffnessShifted(frequency, shiftAt(temperature));
   }
 
-  /// The entries that the component was made of, defaults filled in.
+  /// Returns the entries of which the component was made, with defaults.
   const std::vector<element::ElementDescription>& elements() const { return descriptions_; }
 
  private:
@@ -195,7 +195,7 @@ class Component {
   void stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count, double* memory,
                     element::ComponentForce* force) const;
   element::Shift shiftAt(double temperature) const;
-  /// The step of the elements that a step of dt [s] is.
+  /// Returns the step of the elements in reduced time [s] for a step of dt [s].
   double reducedStep(double dt, const double* memory) const {
     return shifts_.empty() ? dt : dt * memory[temperature_slot_ + kRate];
   }
@@ -204,14 +204,14 @@ class Component {
 
   std::vector<element::ElementDescription> descriptions_;
 
-  // The displacement path. The two displacements are numbers in the memory.
+  // The displacement path, whose two displacements are in the memory.
   std::vector<Placed<element::DisplacementEffect>> displacement_effects_;
   SeriesBalance series_;
   std::size_t behind_effects_slot_ = 0;
   std::size_t test_piece_slot_ = 0;
 
   // The test piece.
-  kernel::BasicLawsKernel kernel_;                           // what most components consist of
+  kernel::BasicLawsKernel kernel_;                           // all laws of most components
   std::vector<Placed<element::ParallelElement>> elements_;   // all others, the linear ones first
   std::ptrdiff_t linear_count_ = 0;                          // of those
   std::vector<Placed<element::ForceEffect>> force_effects_;  // which scale the sum of both

@@ -13,7 +13,7 @@ struct StreamWrench {
   bool beyond_valid = false;  ///< accepted, and the rotation is beyond the stated validity
 };
 
-/// Feeds a component of six directions with stamped poses, as SampleStream does one of one direction.
+/// Feeds a component of six directions with stamped poses, as SampleStream does a component of one direction.
 class PoseStream : public StampedStream {
  public:
   /// Largest deviation of the length of a quaternion from 1.
@@ -26,7 +26,7 @@ class PoseStream : public StampedStream {
   /// component is at rest. A dropped sample does not change the state. Allocates nothing.
   StreamWrench push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation);
 
-  /// As SampleStream::setTemperature() [degC].
+  /// Sets the temperature [degC] as SampleStream::setTemperature() does.
   bool setTemperature(double temperature);
 
   /// Resets to a new test piece at rest, with the same temperature and counters; the next sample starts again.
@@ -46,11 +46,11 @@ class PoseStream : public StampedStream {
 
   const SixDirections& component_;
   SixDirectionsState state_;
-  SixDirectionsState saved_;  // the way back where a wrench is not finite
+  SixDirectionsState saved_;  // to undo a step whose wrench is not finite
   std::uint64_t beyond_valid_ = 0;
 };
 
-/// A pose as topics and logs have it, the quaternion brought to length 1.
+/// Returns a pose from the numbers of topics and logs, with the quaternion normalised.
 Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation);
 
 }  // namespace rubber_suspension::component

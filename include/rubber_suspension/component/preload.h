@@ -17,11 +17,11 @@ struct Preload {
 /// preload, because a factor that followed the motion would do work over closed loops.
 struct PreloadTable {
   Direction direction = kX;      ///< that is scaled
-  Direction by = kZ;             ///< whose preload does it
+  Direction by = kZ;             ///< whose preload scales it
   std::vector<Preload> preload;  ///< points, increasing
   std::vector<double> factor;    ///< at the points; linear between, constant beyond
 
-  /// Factor at a preload of the kind of its points [N, N m, m, rad].
+  /// Returns the factor at a preload of the kind of its points [N, N m, m, rad].
   double factorAt(double value) const;
 };
 

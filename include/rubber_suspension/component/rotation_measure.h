@@ -1,4 +1,4 @@
-// A rotation by three coordinates, and what is conjugate to them: the rotation vector, or body-fixed x-y-z angles.
+// A rotation as three coordinates with conjugate moments: the rotation vector, or body-fixed x-y-z angles.
 // Throws nothing.
 #pragma once
 
@@ -9,30 +9,30 @@
 namespace rubber_suspension::component {
 
 /// The three coordinates q [rad] by which a component measures the rotation R of B in A. Generalised moments Q belong
-/// to a moment M by M . omega = Q . q', omega being that of B against A in A's axes, so that what has a potential in q
-/// does no work over a closed path.
+/// to a moment M by M . omega = Q . q', omega being that of B against A in A's axes, so that forces with a potential in
+/// q do no work over a closed path.
 enum class RotationMeasure {
   vector,  ///< theta = log R; M = J(theta)^-T Q, J the left Jacobian; below kVectorEnd
   cardan,  ///< R = R_x(q_1) R_y(q_2) R_z(q_3); M = N^-T Q with omega = N q'; |q_2| below kCardanEnd
 };
 
-/// Where the measures end [rad]: beyond, coordinates jump from one sample to the next, or their rates grow without
+/// Ends of the measures [rad]: beyond them, coordinates jump from one sample to the next, or their rates grow without
 /// limit.
 constexpr double kVectorEnd = 179.0 * element::kPi / 180.0;  // of the angle, and of the cardan angles about x and z
 constexpr double kCardanEnd = 85.0 * element::kPi / 180.0;   // of the cardan angle about y
 
-/// The rates of the coordinates by the angular velocity, q' = B omega, at coordinates [rad]; M = B^T Q.
+/// Returns B at coordinates [rad], for their rates by the angular velocity, q' = B omega, and for M = B^T Q.
 Eigen::Matrix3d ratesAt(RotationMeasure measure, const Eigen::Vector3d& value);
 
-/// Coordinates of a rotation, ready to turn generalised moments into a moment.
+/// Coordinates of a rotation, with all that converts generalised moments to a moment.
 struct RotationCoordinates {
   RotationMeasure measure;
   Eigen::Vector3d value;  ///< q [rad]
-  double curvature;       ///< of a rotation vector of length a, (1 - (a/2) cot(a/2))/a^2: J^-1 = 1 - [q]/2 + that [q]^2
+  double curvature;  ///< (1 - (a/2) cot(a/2))/a^2 of a rotation vector, a = |q|: J^-1 = 1 - [q]/2 + curvature [q]^2
 
   Eigen::Matrix3d rates() const { return ratesAt(measure, value); }
 
-  /// M = rates^T Q [N m].
+  /// Returns M = rates^T Q [N m].
   Eigen::Vector3d momentOf(const Eigen::Vector3d& moments) const {
     if (measure == RotationMeasure::cardan) {
       return rates().transpose() * moments;
@@ -42,7 +42,7 @@ struct RotationCoordinates {
   }
 };
 
-/// The coordinates of a rotation; the quaternion is of length 1.
+/// Returns the coordinates of a rotation; the quaternion has to have length 1.
 RotationCoordinates coordinatesOf(RotationMeasure measure, const Eigen::Quaterniond& rotation);
 
 /// Series of a/sin a and of the curvature above, side by side, for rotations by an angle a up to 20.7 deg, t = sin^2 a
@@ -82,13 +82,13 @@ __attribute__((always_inline)) inline RotationCoordinates coordinatesOf(Rotation
   return {measure, series[0] * sine, series[1]};
 }
 
-/// The rotation that has these coordinates [rad].
+/// Returns the rotation that has these coordinates [rad].
 Eigen::Quaterniond rotationOf(RotationMeasure measure, const Eigen::Vector3d& value);
 
-/// True for coordinates [rad] before the end of the measure.
+/// Returns true for coordinates [rad] before the end of the measure.
 bool measureHolds(RotationMeasure measure, const Eigen::Vector3d& value);
 
-/// Size of a rotation in its measure [rad]: the length of the vector, or the largest of the angles.
+/// Returns the size of a rotation in its measure [rad]: the length of the vector, or the largest of the angles.
 double sizeOf(RotationMeasure measure, const Eigen::Vector3d& value);
 
 }  // namespace rubber_suspension::component

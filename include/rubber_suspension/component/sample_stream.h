@@ -26,7 +26,7 @@ inline bool isAccepted(Acceptance acceptance) { return acceptance <= Acceptance:
 
 /// The number of samples of each kind.
 struct StreamCounters {
-  std::uint64_t accepted = 0;  ///< all accepted, restarts and bridged time gaps among them
+  std::uint64_t accepted = 0;  ///< including restarts and bridged time gaps
   std::uint64_t restarted = 0;
   std::uint64_t bridged = 0;
   std::uint64_t not_finite = 0;
@@ -62,12 +62,12 @@ class StampedStream {
   Acceptance judge(std::int64_t stamp, bool finite) const;
   void count(Acceptance acceptance);
 
-  /// later - earlier [ns], which may exceed the range of a signed number.
+  /// Returns later - earlier [ns], which may exceed the range of a signed number.
   static std::uint64_t between(std::int64_t earlier, std::int64_t later) {
     return static_cast<std::uint64_t>(later) - static_cast<std::uint64_t>(earlier);
   }
 
-  /// The time from one stamp [ns] to a later one [s].
+  /// Returns the time from one stamp [ns] to a later one [s].
   static double secondsBetween(std::int64_t earlier, std::int64_t later);
 
   std::uint64_t max_gap_;  // [ns]
@@ -109,7 +109,7 @@ class SampleStream : public StampedStream {
   /// not valid there. Without effect for a component without shifts. Allocates nothing.
   bool setTemperature(double temperature);
 
-  /// pushAll() with the temperature [degC] of each sample, at which the shifts are valid; null: none.
+  /// Likewise with the temperature [degC] of each sample (null: none), up to one at which the shifts are not valid.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
                       std::size_t count, double* force);
 
@@ -122,15 +122,15 @@ class SampleStream : public StampedStream {
   void deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
 
  private:
-  // The change that a push made to the state since it was saved.
+  // A step since the state was saved.
   struct Step {
     double dt;            // [s]
     double displacement;  // [m]
   };
-  static constexpr std::size_t kMostSteps = 64;  // all of which are repeated where a force is not finite
-  static constexpr double kLargest = 1e30;       // [m]; beyond any component; the content of a delay remains finite
+  static constexpr std::size_t kMostSteps = 64;  // which are repeated if a force is not finite
+  static constexpr double kLargest = 1e30;       // [m]; larger than any component, and finite in a delay
 
-  // A time between samples that was accepted; none before the first.
+  // The last accepted time between samples; 0 if there is none.
   struct Interval {
     std::uint64_t nanoseconds = 0;
     double seconds = 0.0;

@@ -10,36 +10,36 @@
 
 namespace rubber_suspension::component {
 
-/// Elements of series compliance, whose deflections under the common force F add up: z_test_piece + u(F) = z. Solving
-/// this series balance finds the displacement of the test piece that meets it.
+/// Elements of series compliance, whose deflections under the common force F add up: z_test_piece + u(F) = z. The
+/// solution of this series balance is the displacement of the test piece.
 class SeriesBalance {
  public:
   void add(const std::shared_ptr<const element::SeriesElement>& element);
 
   bool empty() const { return empty_; }
 
-  /// True if u = F/K_s on both sides.
+  /// Returns true if u = F/K_s on both sides.
   bool linear() const { return hardening_.empty() && sides_.tension == sides_.compression && !hasContact(); }
 
-  /// True if a contact opens under a force of some sign.
+  /// Returns true if a contact opens under a force of some sign.
   bool hasContact() const { return tension_opens_ < kNever || compression_opens_ < kNever; }
 
-  /// True if it opens under this force [N].
+  /// Returns true if a contact opens under this force [N].
   bool opensUnder(double force) const { return force > tension_opens_ || -force > compression_opens_; }
 
-  /// The force [N] that an open contact keeps, by the sign of the one that opens it.
+  /// Returns the force [N] that an open contact transmits, with the sign of the force that opens it.
   double keptBy(double force) const { return force > tension_opens_ ? tension_opens_ : -compression_opens_; }
 
-  /// 1/K_s [m/N] of a linear balance; 0 without elements.
+  /// Returns 1/K_s [m/N] of a linear balance; 0 without elements.
   double compliance() const { return sides_.tension; }
 
-  /// Deflection u [m] under a force [N], except that of open contacts.
+  /// Returns the deflection u [m] under a force [N], except that of open contacts.
   double deflection(double force) const;
 
-  /// Displacement [m] of a test piece of basic laws alone at the end of a step of `path`, whose displacement [m] is
-  /// that before the compliance; `start` is that of the test piece at the begin, `memory` and `prepared` are the
-  /// kernel's. In closed form where nothing hardens and a single friction, if any, keeps its direction. Without
-  /// contacts that open.
+  /// Returns the displacement [m] of a test piece of basic laws alone at the end of a step. `path`: motion before the
+  /// compliance; `start`: displacement [m] of the test piece before the step; `memory` and `prepared`: those of the
+  /// kernel. In closed form if nothing hardens and a single friction, if any, keeps its direction. Contacts must not
+  /// open.
   double solve(const kernel::BasicLawsKernel& laws, const element::Motion& path, double start, const double* memory,
                const kernel::PreparedStep& prepared) const {
     // The part linear in the displacement is summed up once, not for each trial.
@@ -79,7 +79,7 @@ class SeriesBalance {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   bool empty_ = true;
-  double tension_opens_ = kNever;                       // a contact, beyond this force [N]
+  double tension_opens_ = kNever;                       // of a contact, which opens beyond this force [N]
   double compression_opens_ = kNever;                   // likewise, beyond this magnitude
   element::SeriesElement::Compliance sides_{0.0, 0.0};  // sums over the elements that are linear to either side
   std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // the others

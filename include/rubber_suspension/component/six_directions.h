@@ -16,17 +16,17 @@ namespace rubber_suspension::component {
 /// Directions in the order of wrenches and coordinates.
 enum Direction : std::size_t { kX, kY, kZ, kRx, kRy, kRz, kDirections };
 
-/// The key in a component file: "x" to "rz".
+/// Returns the key in a component file: "x" to "rz".
 const char* toString(Direction direction);
 
-/// The direction of that name, or nothing.
+/// Returns the direction of that name, or nullopt.
 std::optional<Direction> directionFromString(const std::string& name);
 
 inline bool isRotation(Direction direction) { return direction >= kRx; }
 
 /// Coupling of the three translations, or of the three rotations.
 enum class Coupling {
-  rectangular,  ///< each by itself
+  rectangular,  ///< each independent
   cylindrical,  ///< the two across an axis by their radius
   spherical,    ///< all three by their radius
 };
@@ -39,7 +39,7 @@ using SixElements = std::array<std::vector<element::ElementDescription>, kDirect
 
 struct Wrench {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin that its owner names [N m]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin that its owner defines [N m]
 };
 
 /// Velocity of B relative to A, in A's axes.
@@ -88,7 +88,7 @@ class SixDirectionsState {
   /// Copies the memory of another state of the same component; faster than copying all.
   void copyFrom(const SixDirectionsState& other);
 
-  /// Coordinates at the last sample [m, rad].
+  /// Returns the coordinates at the last sample [m, rad].
   SixNumbers coordinates() const { return SixNumbers(coordinates_.data()); }
 
   /// Returns the memory for SixDirections::restore().
@@ -98,7 +98,7 @@ class SixDirectionsState {
   friend class SixDirections;
 
   std::array<ComponentState, kDirections> directions_;  // of those that are not free
-  std::vector<double> coupled_;                         // memory of what acts by the radius
+  std::vector<double> coupled_;                         // memory of the couplings
   std::array<double, kDirections> coordinates_{};
 };
 
@@ -109,27 +109,26 @@ class RadialCoupling;
 ///   1. The frames of the bush on the bodies give the translation d of the bush on B in the axes of the bush on A, and
 ///      three coordinates of the rotation (RotationMeasure): six coordinates q.
 ///   2. Each direction is a Component of its own, with its coordinate as displacement; coupled directions share laws.
-///   3. The forces Q of the directions are conjugate to q, F = Q_xyz and M . omega = Q_r . q_r', and are carried over
-///   to
+///   3. The forces Q of the directions are conjugate to q, F = Q_xyz and M . omega = Q_r . q_r', and are converted to
 ///      B's origin and A's axes.
 ///
-/// Sign: that of one direction. The wrench has to be applied to B to hold the pose; reactions() are what the bodies
-/// feel. Between two samples the coordinates are linear in time, so that the exact step of every element holds; this is
-/// not the screw between the poses (docs/six_directions.md). A common motion of both bodies changes nothing.
+/// Sign: as in one direction, the wrench has to be applied to B to hold the pose; reactions() act on the bodies.
+/// Between two samples the coordinates are linear in time, so that the exact step of every element holds; this is not
+/// the screw between the poses (docs/six_directions.md). A common motion of both bodies changes nothing.
 /// Sources: translation in A's axes and cardan angles as Simbody's Force::LinearBushing; the conjugate moment of the
 /// rotation vector by its left Jacobian, e.g. T. Barfoot, State Estimation for Robotics (2017), section 7.1.
-/// Validity: d and the axes of the forces are those of A, so the component tells A from B where rotations are large.
+/// Validity: d and the axes of the forces are those of A, so A and B are not interchangeable for large rotations.
 class SixDirections {
  public:
-  /// Throws std::invalid_argument that begins with the direction, where an element or a coupling is refused.
+  /// Throws std::invalid_argument that begins with the direction, if an element or a coupling is refused.
   explicit SixDirections(SixDirectionsLaws laws);
 
   const SixDirectionsLaws& laws() const { return laws_; }
 
-  /// A state of the right size, at rest at the identity pose.
+  /// Returns a state of the right size, at rest at the identity pose.
   SixDirectionsState makeState() const;
 
-  /// At rest at a pose of B in A, relaxed since long and never loaded before; with a twist the dashpots move already.
+  /// Initialises at rest at a pose of B in A, relaxed and never loaded before; with a twist, dashpots already move.
   BushForce initialise(SixDirectionsState& state, const Eigen::Isometry3d& pose, const Twist& twist = {}) const;
 
   /// Relaxes the component by a long rest at a pose; permanent changes remain.
@@ -147,25 +146,25 @@ class SixDirections {
   SixTangent tangent(const SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose,
                      SixDirectionsState& trial) const;
 
-  /// Coordinates of the bush [m, rad] at a pose of the bodies.
+  /// Returns the coordinates of the bush [m, rad] at a pose of the bodies.
   SixNumbers coordinates(const Eigen::Isometry3d& pose) const;
 
-  /// Pose of the bodies from coordinates of the bush [m, rad].
+  /// Returns the pose of the bodies from coordinates of the bush [m, rad].
   Eigen::Isometry3d pose(const SixNumbers& coordinates) const;
 
-  /// True if the rotation is within its measure.
+  /// Returns true if the rotation is within its measure.
   bool holds(const SixNumbers& coordinates) const { return measureHolds(laws_.measure, coordinates.tail<3>()); }
 
-  /// True if it is also within the stated validity.
+  /// Returns true if the rotation is within the stated validity.
   bool isValid(const SixNumbers& coordinates) const {
     return sizeOf(laws_.measure, coordinates.tail<3>()) <= laws_.valid_rotation;
   }
 
-  /// Generalised forces [N, N m] of the directions that a wrench on B at a pose amounts to: the inverse of what step()
-  /// does with those of the elements.
+  /// Returns the generalised forces [N, N m] of the directions that are equivalent to a wrench on B at a pose: the
+  /// inverse of the conversion in step().
   SixNumbers directionForces(const Eigen::Isometry3d& pose, const Wrench& wrench) const;
 
-  /// Wrenches on the bodies by one that step() gave at a pose.
+  /// Returns the wrenches on the bodies for one that step() returned at a pose.
   static Reactions reactions(const Eigen::Isometry3d& pose, const Wrench& wrench);
 
   /// Temperature dependence, as in Component, for all directions.
@@ -210,8 +209,8 @@ class SixDirections {
 
   SixDirectionsLaws laws_;
   bool framed_;  // the bush does not sit at the origins of the bodies, along their axes
-  std::array<std::optional<Component>, kDirections> directions_;  // nothing: free, or all of it is coupled
-  std::array<double, kDirections> damping_{};                     // of dashpots that answer to a twist [N s/m]
+  std::array<std::optional<Component>, kDirections> directions_;  // nullopt: free, or entirely coupled
+  std::array<double, kDirections> damping_{};                     // of dashpots that depend on a twist [N s/m]
   std::vector<std::shared_ptr<const RadialCoupling>> couplings_;
   std::size_t coupled_size_ = 0;  // of their memory
 };
