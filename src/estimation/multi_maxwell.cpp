@@ -23,7 +23,7 @@ using Complex = std::complex<double>;
 constexpr double kBandMargin = 1e-9;
 // Relative margin at the ends of the search over K_max, where alpha reaches its limits.
 constexpr double kEndMargin = 1e-6;
-// Steps of the scan for a high frequency that gives a loss angle.
+// Steps of the scan for a high frequency with the given loss angle.
 constexpr int kBandSteps = 60;
 
 // The inputs, each looked up once.

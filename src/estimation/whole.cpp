@@ -215,7 +215,7 @@ class Whole {
   // Returns the intervals of K_n in which a base has a solution.
   template <class WithStiffness>
   std::vector<std::pair<double, double>> intervals(const Specification& base, const WithStiffness& with) const {
-    constexpr double kFar = 100.0;  // times K_n, where there is no upper end
+    constexpr double kFar = 100.0;  // times K_n, if there is no upper end
     Specification start = base;
     start.set("dynamic_stiffness", given_.at("dynamic_stiffness"));
     const element::ParameterInfo& input = *element::findParameter(specificationParameters(), "dynamic_stiffness");
@@ -325,7 +325,7 @@ class Whole {
 
   Model model_;
   const Specification& given_;
-  Specification base_;  // K_n and the second number are still those given
+  Specification base_;  // K_n and the second number are still the given ones
   Entries add_;
   double mean_ = 0.0;
   std::optional<Obstacle> obstacle_;

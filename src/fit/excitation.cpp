@@ -47,7 +47,7 @@ void addForces(const std::vector<gap::PreparedRecord>& records, Excitation& resu
 double largestRadius(const std::vector<gap::PreparedRecord>& records) {
   constexpr double kLeastApart = 0.2;  // of the own motion
   double largest = 0.0;
-  double squares = 0.0;  // of what does not follow the own motion
+  double squares = 0.0;  // of the part that does not follow the own motion
   double own = 0.0;
   for (const log::Record& record : records) {
     if (record.across.size() == 0) {

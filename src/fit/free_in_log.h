@@ -51,7 +51,7 @@ struct PerLogNuisances {
 
   /// Returns the indices of these unknowns among those of `all`, which has at least these.
   std::vector<Eigen::Index> placesIn(const PerLogNuisances& all) const;
-  /// Index of the factor among its unknowns, if it is one of them.
+  /// Returns the index of the factor among these unknowns, if it is one of them.
   Eigen::Index placeOfFactor() const { return count() - (gain ? 1 : 0) - (offset ? 1 : 0) - 1; }
   Eigen::Index placeOfOffset() const { return count() - (gain ? 2 : 1); }
   Eigen::Index placeOfGain() const { return count() - 1; }

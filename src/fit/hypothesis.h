@@ -39,7 +39,7 @@ struct BasisTerm {
   /// force [-]. Set by findUnitEffects for additive and softening terms.
   ForceColumn unit_effect;
 
-  /// True if the effect of the term at scale 1 depends on the displacement alone.
+  /// Returns true if the effect of the term at scale 1 depends on the displacement alone.
   bool hasUnitEffect() const { return additive || softening; }
 };
 

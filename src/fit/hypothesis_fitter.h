@@ -20,7 +20,7 @@ namespace rubber_suspension::fit {
 struct Fit {
   ParameterVector parameters;
   double gap = std::numeric_limits<double>::infinity();  ///< in sample
-  double chi_squared = 0.0;  ///< departure of the model from what is known of it (ModelParameters::departures())
+  double chi_squared = 0.0;  ///< departure of the model from prior knowledge (ModelParameters::departures())
   double departure = 0.0;    ///< the departure as a gap
   /// Gap on blocks that took no part in the fit, by cross validation.
   double held_out = std::numeric_limits<double>::infinity();

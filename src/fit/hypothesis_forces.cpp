@@ -19,7 +19,7 @@ double scaleOf(const ParameterVector& parameters, std::size_t term) {
   return parameters.scales[static_cast<Eigen::Index>(term)];
 }
 
-// Adds the forces of the terms that sit on the rig, or of those that do not, to that of a log.
+// Adds the forces of the terms of the rig, or those of all others, to the force of a log.
 void addForces(const Hypothesis& hypothesis, const ParameterVector& parameters, bool on_rig, std::size_t record,
                Eigen::VectorXd& force) {
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {

@@ -52,7 +52,7 @@ class ModelParameters {
   /// certain one, but at least 3.
   double largestRatio() const;
 
-  /// Numbers that are known beforehand: those of the sheet, then values of single elements.
+  /// Returns the numbers that are known beforehand: those of the sheet, then values of single elements.
   const std::vector<KnownNumber>& known() const { return known_; }
 
   /// Returns the deviation of each known number in standard deviations of its logarithm; the squares add up to chi^2.

@@ -110,8 +110,8 @@ Correlations correlate(const Signal& first, const Signal& second, Index most) {
   return result;
 }
 
-// The shift of the simulated signal (positive: to the left) with the largest correlation. Of those that are equal
-// within the rounding of transforms, the smallest, preferably to the left.
+// The shift of the simulated signal (positive: to the left) with the largest correlation. If several are equal within
+// the rounding of transforms, the smallest, preferably to the left.
 Index bestShift(const Signal& measured, const Signal& simulated) {
   constexpr double kRounding = 1e-9;
   const auto most = static_cast<Index>(std::floor(kLargestShift * static_cast<double>(measured.size())));

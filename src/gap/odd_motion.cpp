@@ -1,4 +1,4 @@
-// Scales of a log against those of the component: a slip of a unit is a factor of a thousand.
+// Scales of a log against those of the component: a wrong unit is a factor of a thousand.
 #include "gap/odd_motion.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "processor/lanes.h"
 #include "rubber_suspension/element/maxwell_force.h"
 
-/// BergFriction::branch, with the same bits in each lane; compliance is z2/F_max.
+/// Computes BergFriction::branch, with the same bits in each lane; compliance is z2/F_max.
 inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_displacement,
                             const Lanes& reference_force, const Lanes& maximum_force, const Lanes& compliance) {
   constexpr double kTiny = std::numeric_limits<double>::min();

@@ -33,7 +33,7 @@ class SofteningBank final : public element::ForceEffect {
   /// Returns true if the bank supports a law with all parameters given: its powers need no std::pow.
   static bool takes(const element::ElementDescription& law);
 
-  /// `description` is that of the law.
+  /// Adds a law, which `description` describes.
   void add(const element::ElementDescription& description, std::shared_ptr<const element::ForceEffect> law);
 
   std::size_t memorySize() const override { return kSlots * laws_.size(); }

@@ -5,8 +5,8 @@
 inline Lanes larger(const Lanes& one, const Lanes& other) { return select(one > other, one, other); }
 inline Lanes smaller(const Lanes& one, const Lanes& other) { return select(one < other, one, other); }
 
-/// exp(-x) for x >= 0, to a relative 1e-15: x is reduced by multiples of ln 2, and the remainder is halved and its
-/// result squared.
+/// Returns exp(-x) for x >= 0, to a relative 1e-15: x is reduced by multiples of ln 2, and the remainder is halved and
+/// its result squared.
 inline Lanes fallen(const Lanes& x) {
   constexpr double kMost = 700.0;          // beyond, the result is negligible
   constexpr double kToInteger = 0x1.8p52;  // its last bits count whole numbers
@@ -27,7 +27,7 @@ inline Lanes recovered(const Lanes& reach, const Lanes& reached, const Lanes& ra
   return select(rate > 0.0, left, reach);
 }
 
-/// The factors of laws in lanes from `lane` on after a step; `largest` and `reach` are their memories.
+/// Returns the factors of laws in lanes from `lane` on after a step; `largest` and `reach` are their memories.
 inline Lanes softened(const SofteningBlock& laws, std::size_t lane, double dt, double displacement, double increment,
                       double* largest, double* reach) {
   const Lanes side = load(laws.side.data() + lane);

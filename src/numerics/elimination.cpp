@@ -55,7 +55,7 @@ MatrixXd sumOf(const std::vector<MatrixXd>& products) {
   return sum;
 }
 
-// Sums rather than subtracts: what is zero without a fold has to be exactly zero.
+// Sums rather than subtracts, so that what is zero without a fold is exactly zero.
 std::vector<MatrixXd> sumsWithoutFold(const std::vector<MatrixXd>& products, const BlockPlaces& places) {
   std::vector<MatrixXd> sums(static_cast<std::size_t>(places.folds),
                              MatrixXd::Zero(products.front().rows(), products.front().cols()));

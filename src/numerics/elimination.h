@@ -12,7 +12,7 @@ struct BlockProducts {
   Eigen::MatrixXd sum;                        ///< of all blocks
   std::vector<Eigen::MatrixXd> without_fold;  ///< of all but those of a fold
   std::vector<Eigen::MatrixXd> in_sample;     ///< of each block; they add up to `sum`
-  std::vector<Eigen::MatrixXd> held_out;      ///< of each block, its own unknowns found without those of its fold
+  std::vector<Eigen::MatrixXd> held_out;      ///< of each block, with its own unknowns estimated without its fold
 };
 
 /// The fold of each block, and its share in all.

@@ -1,4 +1,4 @@
-// Least squares by orthogonal decompositions. They are used only here, because Eigen's take ten seconds to compile.
+// Least squares by orthogonal decompositions. These are compiled only here, because that takes ten seconds.
 #pragma once
 
 #include <Eigen/Core>

@@ -10,7 +10,7 @@ class Cholesky {
  public:
   explicit Cholesky(const Eigen::MatrixXd& matrix);
 
-  /// False if the matrix is not positive definite: there is no solution.
+  /// Returns false if the matrix is not positive definite, so that there is no solution.
   bool exists() const { return exists_; }
   auto diagonal() const { return factor_.diagonal(); }
 

@@ -9,7 +9,7 @@ namespace rubber_suspension::numerics {
 /// A sum of squared residuals over some coordinates.
 class SumOfSquares {
  public:
-  /// J'r and J'J of the residuals r and their Jacobian J; not finite where there are no derivatives.
+  /// J'r and J'J of the residuals r and their Jacobian J; not finite if there are no derivatives.
   struct Slope {
     Eigen::VectorXd gradient;
     Eigen::MatrixXd curvature;

@@ -42,7 +42,7 @@ inline Lanes magnitude(const Lanes& lanes) {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(lanes) & INT64_MAX);
 }
 
-/// std::copysign for numbers whose own sign is positive.
+/// Returns std::copysign for numbers whose own sign is positive.
 inline Lanes withSignOf(const Lanes& positive, const Lanes& sign) {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(positive) | (reinterpret_cast<LaneMask>(sign) & INT64_MIN));
 }

@@ -45,7 +45,7 @@ class alignas(kernel::kCacheLine) ComponentState {
 
     std::vector<double> memory;     // of the test piece, which trial steps advance
     double slope_step = kNone;      // [s], of `slope`
-    element::ComponentForce slope;  // what a step of the linear elements adds to their forces for each metre
+    element::ComponentForce slope;  // force that a step of the linear elements adds for each metre
     double displacement = kNone;    // at the end of the last trial step [m]
     element::ComponentForce force;  // there
   };
@@ -213,7 +213,7 @@ class Component {
   // The test piece.
   kernel::BasicLawsKernel kernel_;                           // all laws of most components
   std::vector<Placed<element::ParallelElement>> elements_;   // all others, the linear ones first
-  std::ptrdiff_t linear_count_ = 0;                          // of those
+  std::ptrdiff_t linear_count_ = 0;                          // of the linear ones
   std::vector<Placed<element::ForceEffect>> force_effects_;  // which scale the sum of both
 
   std::vector<Placed<element::ParallelElement>> rig_;

@@ -34,7 +34,7 @@ class PoseStream : public StampedStream {
 
   const SixDirectionsState& state() const { return state_; }
 
-  /// Number of accepted samples beyond the stated validity.
+  /// Returns the number of accepted samples beyond the stated validity.
   std::uint64_t beyondValid() const { return beyond_valid_; }
 
   /// Continues where another stream of the same component stopped, with numbers() of its state. Throws as

@@ -109,7 +109,7 @@ class SampleStream : public StampedStream {
   /// not valid there. Without effect for a component without shifts. Allocates nothing.
   bool setTemperature(double temperature);
 
-  /// Likewise with the temperature [degC] of each sample (null: none), up to one at which the shifts are not valid.
+  /// Pushes samples with the temperature [degC] of each (null: none), up to one at which the shifts are not valid.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
                       std::size_t count, double* force);
 

@@ -97,7 +97,7 @@ class SixDirectionsState {
  private:
   friend class SixDirections;
 
-  std::array<ComponentState, kDirections> directions_;  // of those that are not free
+  std::array<ComponentState, kDirections> directions_;  // of the directions that are not free
   std::vector<double> coupled_;                         // memory of the couplings
   std::array<double, kDirections> coordinates_{};
 };

@@ -17,7 +17,7 @@ struct TablePoint {
   double mean = 0.0;                                 ///< mean displacement under the preload [m]
   std::optional<double> temperature = std::nullopt;  ///< [degC]
 
-  /// K exp(i delta) [N/m].
+  /// Returns K exp(i delta) [N/m].
   std::complex<double> complexStiffness() const { return std::polar(stiffness, loss_angle); }
 };
 

@@ -36,7 +36,7 @@ struct PreparedRecord : log::Record {
 
   RigPrior rig;
   OwnErrors own;
-  double weight = 1.0;  ///< of its mean squares among those of several logs, about 1 on average
+  double weight = 1.0;  ///< of its mean squares relative to those of other logs, about 1 on average
 
   /// Returns a residual or a derivative of the force [N] without errors of the rig, r - N N'r, as far as their priors
   /// let them explain r (Frisch and Waugh, Econometrica 1, 1933, with a prior). Samples that do not count are 0.
