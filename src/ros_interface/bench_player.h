@@ -45,14 +45,16 @@ class BenchPlayer {
   /// Waits for the node. Throws PlayError.
   void connect();
 
-  /// Plays the logs `passes` times; 0: until ROS is shut down. A playback that ends early is recorded, too, unless it
-  /// ends by an exception of a player or recorder, which is passed on.
+  /// Plays the logs `passes` times; 0: until ROS is shut down. What was played is recorded even if the playback ends
+  /// early. An exception of a player or recorder is passed on after the passes before it are recorded.
   std::vector<BenchCount> play(std::size_t passes);
 
   /// Returns the forces of a component in its last pass [N], one for every sample of its log; 0 without an answer.
   const std::vector<double>& lastForces(std::size_t track) const { return last_forces_[track]; }
 
  private:
+  void playPasses(std::size_t passes);
+  void closeRecorders();
   void playPass(std::size_t pass, bool more_follow);
   void playTrack(std::size_t track, std::size_t pass, bool more_follow);
 
