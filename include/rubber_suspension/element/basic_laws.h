@@ -5,8 +5,8 @@
 
 namespace rubber_suspension::element {
 
-/// The laws that most components are made of, in parallel. A law that is such a sum adds itself by addTo(). Throws
-/// nothing.
+/// Contains the parameters of the laws that most components consist of, acting in parallel. ParallelElement::addTo()
+/// adds a law to such a sum. Throws nothing.
 struct BasicLaws {
   struct MaxwellNumbers {
     double stiffness;  ///< k [N/m]
@@ -18,10 +18,10 @@ struct BasicLaws {
     double dead_band;      ///< [m]
   };
 
-  double stiffness = 0.0;  ///< of all springs [N/m]
-  double damping = 0.0;    ///< of all dashpots [N s/m]
+  double stiffness = 0.0;  ///< sum over all springs [N/m]
+  double damping = 0.0;    ///< sum over all dashpots [N s/m]
   std::vector<MaxwellNumbers> maxwells;
-  std::vector<FrictionNumbers> frictions;  ///< of Berg
+  std::vector<FrictionNumbers> frictions;  ///< Berg's elements
 };
 
 }  // namespace rubber_suspension::element

@@ -9,24 +9,24 @@
 
 namespace rubber_suspension::element {
 
-/// The side of a branch's reference point that the motion is on, made ready for many samples.
+/// Contains the constants of the branch on one side of its reference point, computed once for many samples.
 struct BergSide {
-  double direction = 0.0;  ///< of the motion; 0: there is no branch, and no motion keeps it
-  double left = 0.0;       ///< difference of the reference force to F_max or -F_max [N]
-  double reach = 1.0;      ///< z2 (1 -+ mu), kept above 0 [m]
+  double direction = 0.0;  ///< its sign is that of the motion; 0: no branch, so that keepsDirection() is false
+  double left = 0.0;       ///< F_max or -F_max minus the reference force [N]
+  double reach = 1.0;      ///< z2 (1 - mu) or z2 (1 + mu), greater than 0 [m]
 
-  /// Change of the force [N] over an absolute travel [m] from the reference point.
+  /// Returns the change of the force [N] after an absolute travel [m] from the reference point.
   double rise(double travel) const { return travel * left / (reach + travel); }
 };
 
-/// Rate-independent friction that rises smoothly from each reversal towards its maximum.
+/// Simulates rate-independent friction that rises smoothly from each reversal towards its maximum.
 ///
 /// From the reference point (z_s, F_s), with mu = F_s/F_max:
 ///   z > z_s: F = F_s + (z - z_s)(F_max - F_s)/(z2 (1 - mu) + z - z_s)
 ///   z < z_s: F = F_s + (z - z_s)(F_max + F_s)/(z2 (1 + mu) - (z - z_s))
 /// The reference point moves to the reversal point once the motion has backed off from it by more than the dead band;
-/// until then the force goes back along the branch that it came from. With sensor noise of standard deviation sigma a
-/// dead band of 6 sigma keeps peak force and loss within 3 % (0 for simulated displacements).
+/// until then the force returns along the present branch. A dead band of 6 standard deviations of the sensor noise
+/// keeps peak force and loss within 3 %; simulated displacements need none.
 /// Minor loops do not close (the element has no memory of earlier reversals); `iwan` closes them.
 /// Source: M. Berg, Proc. IMechE F 211 (1997) 95-108; Vehicle System Dynamics 30 (1998) 197-212.
 class BergFriction final : public ParallelElement {
@@ -43,7 +43,7 @@ class BergFriction final : public ParallelElement {
   double deadBand() const { return dead_band_; }
   double compliance() const { return compliance_; }  ///< z2/F_max [m/N]
 
-  /// Layout of the memory: reference point, running extremum since it, direction of the branch (+1, -1, 0 at rest).
+  /// Layout of the memory: reference point, extremum since then, direction of the branch (+1, -1, 0 at rest).
   enum Slot : std::size_t { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection, kMemorySize };
   std::size_t memorySize() const override { return kMemorySize; }
   double initialise(double displacement, double* memory) const override;
@@ -54,29 +54,29 @@ class BergFriction final : public ParallelElement {
     return true;
   }
 
-  /// Starts on the settled loop of this amplitude at its lower reversal point: z = centre - amplitude, F = -F_f0.
+  /// Starts on the settled loop of an amplitude [m] at its lower reversal point; returns the force there, -F_f0 [N].
   double startSettled(double amplitude, double centre, double* memory) const;
 
-  /// Advances to a displacement [m]; returns the force [N]. Rate does not matter.
+  /// Advances to a displacement [m]; returns the force [N].
   double advance(double displacement, double* memory) const {
     move(displacement, memory);
     return branch(displacement, memory[kReferenceDisplacement], memory[kReferenceForce]);
   }
 
-  /// True where the motion to a displacement [m] keeps the direction of the branch.
+  /// Returns true if the motion to a displacement [m] continues in the direction of the present branch.
   bool keepsDirection(double displacement, const double* memory) const {
     return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
   }
 
-  /// The branch that the element is on; none at rest. Where a motion keeps its direction, continueTo() is advance().
+  /// Returns the present branch, at rest an empty one. While keepsDirection() is true, continueTo() equals advance().
   BergSide currentBranch(const double* memory) const {
     const double direction = memory[kDirection];
-    // The reference point lies behind the extremum, unless the memory was made up.
+    // In a restored memory of unknown origin, the reference point may lie beyond the extremum.
     const bool behind = (memory[kExtremum] - memory[kReferenceDisplacement]) * direction >= 0.0;
     return behind ? side(direction, memory[kReferenceForce]) : BergSide{};
   }
 
-  /// True where the motion to a displacement [m] keeps the direction of a branch.
+  /// Returns true if the motion to a displacement [m] continues in the direction of a branch.
   static bool keepsDirection(const BergSide& branch, double displacement, const double* memory) {
     return (displacement - memory[kExtremum]) * branch.direction > 0.0;
   }
@@ -87,12 +87,12 @@ class BergFriction final : public ParallelElement {
     return memory[kReferenceForce] + branch.rise(std::abs(displacement - memory[kReferenceDisplacement]));
   }
 
-  /// Moves along displacements [m] up to, and without, the first that reverses the motion; returns how many these
-  /// are. The force at each is branch().
+  /// Advances the memory along displacements [m] until before the first one that reverses the motion; returns their
+  /// number. branch() gives the force at each of them.
   std::size_t followUntilReversal(const double* displacement, std::size_t count, double* memory) const;
 
-  /// Reverses at a displacement [m] that the branch has led to: it becomes the reference point. The extremum is then
-  /// the caller's to set.
+  /// Makes a displacement [m] on the present branch the reference point of the opposite direction. The caller has to
+  /// set the extremum.
   void reverseAt(double reversal_point, double* memory) const {
     const double force = branch(reversal_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
     memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
@@ -100,34 +100,34 @@ class BergFriction final : public ParallelElement {
     memory[kDirection] = -memory[kDirection];
   }
 
-  /// Force [N] at a displacement [m] on the branch that starts at a reference point.
+  /// Returns the force [N] at a displacement [m] on the branch from a reference point.
   double branch(double displacement, double reference_displacement, double reference_force) const {
     const double travel = displacement - reference_displacement;
     return reference_force + side(travel, reference_force).rise(std::abs(travel));
   }
 
-  /// Displacement z [m] on the branch that the element is on, where slope z + offset + compliance F(z) = 0 for a
-  /// slope > 0 [-], an offset [m] and a compliance [m/N]: with the travel w from the reference point, a quadratic
-  /// equation.
+  /// Returns the displacement z [m] where slope z + offset + compliance F(z) = 0 on either branch from the reference
+  /// point, for a slope > 0 [-], an offset [m] and a compliance [m/N]. The equation is quadratic in the travel from the
+  /// reference point.
   double solveSeriesBalance(double slope, double offset, double compliance, const double* memory) const;
 
-  /// Peak force F_f0 of the settled loop at this amplitude [m], [N].
+  /// Returns the peak force F_f0 [N] of the settled loop at an amplitude [m].
   double settledForce(double amplitude) const;
 
-  /// Energy lost per cycle of the settled loop at this amplitude [m], [J].
+  /// Returns the energy lost per cycle [J] of the settled loop at an amplitude [m].
   double settledLoss(double amplitude) const;
 
  private:
-  /// The side of the reference point that a travel [m] leads to: both branches in one. z2 (1 -+ mu) is z2/F_max times
-  /// the force that is left.
+  /// Returns the branch on the side of the reference point to which a travel [m] leads. z2 (1 -+ mu) is z2/F_max times
+  /// the magnitude of the limit minus the reference force.
   BergSide side(double travel, double reference_force) const {
-    // Keeps 0/0 away at the reference point itself once friction is at its maximum.
+    // Avoids 0/0 at the reference point if friction is at its maximum there.
     constexpr double kTiny = std::numeric_limits<double>::min();
     const double left = std::copysign(maximum_force_, travel) - reference_force;
     return {travel, left, compliance_ * std::abs(left) + kTiny};
   }
 
-  /// Brings the memory to a displacement [m].
+  /// Advances the memory to a displacement [m].
   void move(double displacement, double* memory) const {
     const double beyond = (displacement - memory[kExtremum]) * memory[kDirection];
     if (beyond > 0.0) {
@@ -137,7 +137,7 @@ class BergFriction final : public ParallelElement {
     }
   }
 
-  /// Starts from rest, or from a reversal point once the motion has backed off far enough.
+  /// Starts a branch from rest, or from the extremum once the motion has backed off by more than the dead band.
   void reverse(double displacement, double travel_back, double* memory) const {
     if (memory[kDirection] == 0.0) {
       if (displacement != memory[kReferenceDisplacement]) {

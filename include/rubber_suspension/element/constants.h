@@ -1,4 +1,4 @@
-// Numbers of mathematics, spelled once. Throws nothing.
+// Mathematical constants. Throws nothing.
 #pragma once
 
 namespace rubber_suspension::element {

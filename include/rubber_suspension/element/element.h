@@ -1,4 +1,4 @@
-// The interfaces that every law implements; a law has its parameters, the caller its memory. No law throws.
+// Interfaces of the laws. A law object contains the parameters; the caller owns the memory. No law throws.
 #pragma once
 
 #include <algorithm>
@@ -31,58 +31,58 @@ struct ComponentForce {
 /// Place of a law in the path from displacement to force.
 enum class Action {
   adds_force,               ///< its force adds to that of the others
-  displaces,                ///< changes the displacement before the others see it
-  scales_force,             ///< a factor on the force of the others
-  yields,                   ///< in series with all that adds force
-  shifts_with_temperature,  ///< rates and force of the others, by the temperature
+  displaces,                ///< changes the displacement on which the others act
+  scales_force,             ///< multiplies the force of the others by a factor
+  yields,                   ///< is in series with the sum of all that add force
+  shifts_with_temperature,  ///< scales rates and force of the others with temperature
 };
 
 /// Base of all laws: an immutable object whose memory is a block of doubles that the caller owns.
 ///
-/// Because memory is apart, a trial step is a step on a copy, saving a state is copying numbers, and one object
-/// serves any number of simulations at once. No method allocates.
+/// Since memory and law are separate, a trial step is a step on a copy, a state is saved by copying numbers, and one
+/// object serves any number of simulations at once. No method allocates.
 class Element {
  public:
   virtual ~Element() = default;
 
-  /// Number of doubles of memory.
+  /// Returns the number of doubles of memory.
   virtual std::size_t memorySize() const { return 0; }
 
-  /// True if the law can continue from these finite numbers, whose origin is unknown: indices and counts among them
-  /// have to be valid.
+  /// Returns true if the law can continue from finite numbers of unknown origin, which requires that indices and counts
+  /// among them are valid.
   virtual bool acceptsMemory(const double* /*memory*/) const { return true; }
 
   virtual Action action() const = 0;
 
-  /// True for parts of the rig (fixture mass, load cell): they follow the actuator's displacement, without effects on
-  /// the test piece's force.
+  /// Returns true for parts of the rig (fixture mass, load cell). They follow the displacement of the actuator, and
+  /// their force is added after the effects on the force of the test piece.
   virtual bool onRig() const { return false; }
 
-  /// True for effects of the measuring chain on a signal (delay, gain, offset, drift), which are never part of the
-  /// rubber.
+  /// Returns true for effects of the measuring chain on a signal (delay, gain, offset, drift), which are never part of
+  /// the rubber.
   virtual bool ofMeasuringChain() const { return false; }
 
-  /// True if the force is linear in the displacement's history, except for a constant or a trend.
+  /// Returns true if the force is linear in the displacement's history, except for a constant or a trend.
   virtual bool linear() const = 0;
 
-  /// True if, from rest on, it never returns more energy than it received, by itself or on a passive test piece. Active
-  /// are errors of a measuring chain, which add or shift forces; parts of a characteristic that need a parallel spring;
-  /// and a test piece that is loaded cold and unloaded hot.
+  /// Returns true if the law, starting from rest, never returns more energy than it received, alone or with a passive
+  /// test piece. Examples that are not passive are offsets and drifts, parts of a characteristic that need a parallel
+  /// spring, and shifts with temperature.
   virtual bool passive() const { return true; }
 };
 
 /// A law whose force adds to that of the others: spring, dashpot, Maxwell element, friction, ...
 class ParallelElement : public Element {
  public:
-  /// Initialises the memory for a component at rest at this displacement [m], relaxed since long; returns the force
-  /// [N]. Zeros and no force, unless a law says otherwise.
+  /// Initialises the memory for a component at rest and fully relaxed at this displacement [m]; returns the force [N].
+  /// The default sets zeros and returns 0.
   virtual double initialise(double /*displacement*/, double* memory) const {
     std::fill_n(memory, memorySize(), 0.0);
     return 0.0;
   }
 
-  /// Brings the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
-  /// force there [N].
+  /// Sets the memory to its state after a long rest at this displacement [m], which does not undo permanent changes;
+  /// returns the force there [N].
   virtual double relax(double displacement, double* memory) const { return initialise(displacement, memory); }
 
   /// Advances the memory over one step and returns the force at its end [N].
@@ -90,10 +90,10 @@ class ParallelElement : public Element {
 
   virtual Part part() const = 0;
 
-  /// Adds a basic law to a sum, which a component steps at once. Returns false, without effect, for any other law.
+  /// Adds a basic law to a sum, which a component steps at once. Returns false, without effect, for other laws.
   virtual bool addTo(BasicLaws& /*sum*/) const { return false; }
 
-  /// K*(omega) [N/m] at angular frequency omega [rad/s] of a linear law; nothing for a nonlinear one.
+  /// Returns K*(omega) [N/m] of a linear law at an angular frequency [rad/s], nullopt for a nonlinear law.
   virtual std::optional<std::complex<double>> complexStiffness(double /*omega*/) const { return std::nullopt; }
 
   Action action() const final { return Action::adds_force; }
@@ -103,40 +103,40 @@ class ParallelElement : public Element {
 /// A law between the actuator and the test piece that changes the displacement: delay, free play.
 class DisplacementEffect : public Element {
  public:
-  /// As ParallelElement::initialise; returns the displacement behind the effect [m].
+  /// Initialises as ParallelElement::initialise does; returns the displacement behind the effect [m].
   virtual double initialise(double displacement, double* memory) const = 0;
 
   /// Advances over one step and returns the displacement behind the effect at its end [m].
   virtual double step(const Motion& motion, double* memory) const = 0;
 
-  /// True for effects of a sensor (delay), which precede all others between actuator and test piece.
+  /// Returns true for effects of a sensor (delay), which precede all others between actuator and test piece.
   virtual bool ofSensor() const { return false; }
 
-  /// Factor on the displacement under a sine, of a linear law; nothing for a nonlinear one.
+  /// Returns the factor on a sinusoidal displacement at omega [rad/s] for a linear law, nullopt for a nonlinear law.
   virtual std::optional<std::complex<double>> transfer(double /*omega*/) const { return std::nullopt; }
 
   Action action() const final { return Action::displaces; }
   bool linear() const final { return transfer(1.0).has_value(); }
 };
 
-/// A law that scales the force of the test piece by its history: stress softening, self-heating.
+/// A law that scales the force of the test piece by a factor, which may depend on the history: stress softening.
 class ForceEffect : public Element {
  public:
-  /// Initialises the memory for a new test piece at rest at this displacement [m]; the factor is then 1, or
-  /// the constant one.
+  /// Initialises the memory for a new test piece at rest at this displacement [m]. The factor there is 1, or
+  /// constantFactor().
   virtual void initialise(double displacement, double* memory) const = 0;
 
-  /// Brings the memory to what a long rest at this displacement [m] leaves of it (what is permanent stays); returns the
-  /// factor on the force there.
+  /// Sets the memory to its state after a long rest at this displacement [m], which does not undo permanent changes;
+  /// returns the factor on the force there.
   virtual double relax(double displacement, double* memory) const {
     initialise(displacement, memory);
     return 1.0;
   }
 
-  /// Advances over one step; returns the factor on the force of the test piece, `force` being that without the effect.
+  /// Advances over one step and returns the factor on the force of the test piece, which is `force` without it.
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;
 
-  /// Returns the factor of a law with a constant one, else nullopt.
+  /// Returns the factor if it is constant, else nullopt.
   virtual std::optional<double> constantFactor() const { return std::nullopt; }
 
   Action action() const final { return Action::scales_force; }
@@ -150,13 +150,13 @@ class SeriesElement : public Element {
   struct Compliance {
     double tension;        ///< for F > 0
     double compression;    ///< for F < 0
-    double preload = 0.0;  ///< magnitude of the force that an open contact keeps [N]
+    double preload = 0.0;  ///< magnitude of the force while a contact is open [N]
   };
 
-  /// Deflection under a force [m]: of the force's sign, and nowhere decreasing with it.
+  /// Returns the deflection [m] under a force [N]. It has the sign of the force and never decreases with it.
   virtual double deflection(double force) const = 0;
 
-  /// Returns the compliance of a law that is linear on each side, else nullopt.
+  /// Returns the compliance if the law is linear for each sign of the force, else nullopt.
   virtual std::optional<Compliance> compliance() const = 0;
 
   Action action() const final { return Action::yields; }

@@ -5,28 +5,28 @@
 
 namespace rubber_suspension::element {
 
-/// m d2q/dt2 + c dq/dt + c_2 |dq/dt| dq/dt = F, F = k_h (z - q), with the displacement q of the fluid referred to the
-/// pumping area A_p:
+/// Simulates m d2q/dt2 + c dq/dt + c_2 |dq/dt| dq/dt = F, F = k_h (z - q), where the displacement q of the fluid is
+/// referred to the pumping area A_p:
 ///   m = I A_p^2, c = R A_p^2, c_2 = R_2 A_p^3, k_h = A_p^2/C
-/// (inertance I and resistances R, of laminar flow, and R_2, of ends, bends and turbulence, of the track, compliance C
-/// of the upper chamber; the lower chamber is soft).
+/// with the inertance I of the track, its resistances R to laminar flow and R_2 due to ends, bends and turbulence, and
+/// the compliance C of the upper chamber. The lower chamber has no stiffness.
 ///   K* = k_h (m s^2 + c s)/(m s^2 + c s + k_h), s = i omega, for c_2 = 0
-/// No force at rest, a peak of the loss near sqrt(k_h/m), k_h above it: the force of the fluid, to be put beside that
-/// of the rubber. With a decoupler of free travel +-d the force is k_h D(z - q), D a dead zone of +-d: small motions of
-/// high frequency do not move the column.
+/// The force is 0 at rest, its loss peaks near sqrt(k_h/m), and its stiffness is k_h above. The rubber of the mount
+/// needs elements of its own. With a decoupler of free travel +-d the force is k_h D(z - q), where D is a dead zone of
+/// +-d: small motions of high frequency do not move the column.
 ///
-/// The step is exact for a displacement that is linear between samples, at any step length. With a decoupler it is
-/// exact from one edge of the dead zone to the next; edges are sought between turns of the deflection, at most 4096
-/// half periods of sqrt(k_h/m) a step, beyond which one may be missed. Memory: deflection z - q and rate dq/dt.
+/// The step is exact for a displacement that is linear between samples, at any step length. With a decoupler, a step is
+/// split into at most 4096 parts of less than half a period of sqrt(k_h/m), and each part at the edges of the dead
+/// zone; in longer steps an edge may be missed. Memory: deflection z - q and rate dq/dt.
 ///
-/// With c_2 > 0 the step is composed after Strang: half of the quadratic loss, exact by itself, the step above, the
-/// other half. It loses energy in each part, and is of second order: a part is a quarter of a radian of sqrt(k_h/m), or
-/// of the time m/(c_2 |dq/dt|), at most, and errs by 0.2 % of the largest force where c_2 |dq/dt| is 1.5 c, by a
-/// quarter of that in half the step. A_p of the fluid's numbers does more than scale the force then, but no fit moves
-/// it. Validity: no cavitation. Source: R. Singh, G. Kim and P. V. Ravindra, J. Sound and Vibration 158 (1992) 219-243;
-/// dead zone of the decoupler and quadratic resistance as there; G. Strang, SIAM J. Numer. Anal. 5 (1968) 506-517. Its
-/// type's make() throws std::invalid_argument where neither the mechanical nor the fluid parameters are complete, or
-/// both are given.
+/// With c_2 > 0 each part is a Strang splitting: half of the quadratic loss, solved exactly, the step above, the other
+/// half. It is dissipative and of second order. A part is at most a quarter of a radian of sqrt(k_h/m) or of the time
+/// m/(c_2 |dq/dt|); the error is 0.2 % of the largest force where c_2 |dq/dt| is 1.5 c, and a quarter of that for half
+/// the step. With R_2 > 0, A_p does more than scale the force, but it is never fitted. Validity: no cavitation. Source:
+/// R. Singh, G. Kim and P. V. Ravindra, J. Sound and Vibration 158 (1992) 219-243, also for the dead zone of the
+/// decoupler and the quadratic resistance; G. Strang, SIAM J. Numer. Anal. 5 (1968) 506-517. The make() of its type
+/// throws std::invalid_argument unless either the mechanical or the fluid parameters are complete and the others
+/// absent.
 class InertiaTrack final : public ParallelElement {
  public:
   InertiaTrack(double mass /* m [kg] */, double damping /* c [N s/m] */, double stiffness /* k_h [N/m] */,

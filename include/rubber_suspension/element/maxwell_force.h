@@ -1,7 +1,7 @@
-// The step of a Maxwell element, for one number or for several side by side in a vector of the processor, with the same
-// bits. No include guard: kernels include it once for each kind of processor, into namespaces of their own.
+// The step of a Maxwell element for one number or for a vector of the processor, with bitwise equal results. There is
+// no include guard, because kernels include this file once for each kind of processor, into separate namespaces.
 
-/// F+ = e F + g dz: force at the end of a step from that at its begin; coefficients as in MaxwellStep. Throws nothing.
+/// Returns the force F+ = e F + g dz at the end of a step, with e and g as in MaxwellStep. Throws nothing.
 template <class Number, class Increment>
 inline Number maxwellForce(const Number& decay, const Number& gain, const Number& force, const Increment& increment) {
   return decay * force + gain * increment;

@@ -29,18 +29,18 @@ struct Range {
   static Range open(double lower, double upper) { return {lower, upper, true, true}; }
 };
 
-/// Text such as "greater than 0" or "in [0, 1)"; what an error message offers as accepted.
+/// Returns text such as "greater than 0" or "in [0, 1)", for the accepted values in an error message.
 std::string describe(const Range& range);
 
-/// The effect of a parameter on the force, and thus whether a fit moves it.
+/// The effect of a parameter on the force, which determines whether it is fitted.
 enum class Role {
-  scale,      ///< the force is linear in it, the others kept: moved, and found by linear least squares
-  shape,      ///< acts on the force in any other way: moved
-  choice,     ///< a count, a switch, a dead band, the span or the points that a law is realised over: never moved
-  reference,  ///< the point at which another value holds; scales the force as that one does, so never moved
+  scale,      ///< the force is linear in it for constant others: fitted by linear least squares
+  shape,      ///< acts on the force in any other way: fitted
+  choice,     ///< a count, a switch, a dead band, the span or the points over which a law is realised: never fitted
+  reference,  ///< the point to which another value refers; redundant with that value in a fit: never fitted
 };
 
-/// The word of the reference page.
+/// Returns the word for the reference page.
 std::string toString(Role role);
 
 /// One row of a table of parameters.
@@ -54,12 +54,12 @@ struct ParameterInfo {
   bool is_list = false;                                ///< a list of numbers in place of one
 };
 
-/// The row of that name, or nullptr.
+/// Returns the row of that name, or nullptr.
 const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std::string_view name);
 
-/// True if `estimate --from-log` and `diagnose` fit a parameter with these values: scales and shapes, except a value at
-/// an end of its range, where the law has no such part (a coefficient of 0, play that loses all of the motion, a linear
-/// stop), and a list of several numbers, which is a curve measured point by point.
+/// Returns true if `estimate --from-log` and `diagnose` fit a parameter with these values: scales and shapes, except 0
+/// and values at an end of the range, for which the law lacks that part (play that absorbs all of the motion, a linear
+/// stop), and lists of several numbers, which are curves measured point by point.
 bool isFree(const ParameterInfo& parameter, const std::vector<double>& values);
 
 /// Values by parameter name; a scalar is a list of one.
@@ -69,12 +69,12 @@ using ParameterValues = std::map<std::string, std::vector<double>>;
 struct ElementDescription {
   std::string type;
   ParameterValues values;
-  bool of_rig = false;  ///< the component file marks it as of the rig that measured, not of the rubber
+  bool of_rig = false;  ///< marked in the component file as part of the rig, not of the rubber
 
-  /// The scalar parameter of that name. Throws std::out_of_range where it is missing.
+  /// Returns the scalar parameter of that name. Throws std::out_of_range if it is missing.
   double value(const std::string& name) const { return list(name).at(0); }
 
-  /// All values of the parameter of that name. Throws std::out_of_range where it is missing.
+  /// Returns all values of the parameter of that name. Throws std::out_of_range if it is missing.
   const std::vector<double>& list(const std::string& name) const {
     const auto found = values.find(name);
     return found != values.end() ? found->second : throw std::out_of_range(name);
@@ -90,8 +90,8 @@ struct ElementDescription {
 [[noreturn]] void refuseValue(const std::string& type, const std::string& parameter, double value,
                               const std::string& unit, const std::string& accepted);
 
-/// The parameter `side` of laws that act on one side of rest alone: 1, -1 or, where a law may act on both, 0. Throws
-/// std::invalid_argument for another value; `quantity` is the signal whose sign counts.
+/// Returns the parameter `side` of a law that may act on one side only: 1, -1 or, if `may_be_both`, 0 for both. Throws
+/// std::invalid_argument for any other value; `quantity` is the signal whose sign determines the side.
 int sideOf(const ElementDescription& description, const char* quantity, bool may_be_both = true);
 
 }  // namespace rubber_suspension::element

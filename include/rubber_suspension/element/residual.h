@@ -9,14 +9,14 @@
 
 namespace rubber_suspension::element {
 
-/// The operators that a residual force is made of. All of them are causal and see the share of the stroke
-/// q = clamp(z, lowest, highest)/S alone:
-///   - stops s_i: ds = dq, kept within +-r_i, as sliders do (Prandtl, Ishlinskii);
-///   - relaxing shares m_j: dm/dt = dq/dt - m/tau_j, as of Maxwell elements;
+/// Evaluates the functions whose weighted sum is a residual force. They consist of causal operators, whose only input
+/// is the share of the stroke q = clamp(z, lowest, highest)/S:
+///   - stops s_i: ds = dq, clamped to +-r_i, as in sliders (Prandtl, Ishlinskii);
+///   - relaxing shares m_j: dm/dt = dq/dt - m/tau_j, as in Maxwell elements;
 ///   - the amplitude a: da/dt = (|q| - a)/tau_a, a leaky integrator;
 ///   - resonators: d(x, v) = (dq - omega v dt, omega (x - 2 D v) dt), oscillators of one degree of freedom.
-/// The stops, the relaxing shares and q are each multiplied by 1, q, q^2 and a, which makes odd and even functions of
-/// the motion, and such as change with its amplitude. Hat functions over the range add a characteristic.
+/// The stops, the relaxing shares and q are each multiplied by 1, q, q^2 and a, which gives odd and even functions of
+/// the motion and functions that change with its amplitude. Hat functions over the range add a characteristic.
 class ResidualBasis {
  public:
   static constexpr std::size_t kStops = 6;
@@ -25,25 +25,25 @@ class ResidualBasis {
   static constexpr std::size_t kStates = kStops + kRelaxing + 1;  ///< s_i, m_j, q
   static constexpr std::size_t kFactors = 4;                      ///< 1, q, q^2, a
 
-  /// The ranges of the operators.
+  /// Parameters of the operators.
   struct Layout {
     double stroke = 1.0;                            ///< S [m]
-    double lowest = 0.0;                            ///< of the displacements that were seen [m], at most 0
-    double highest = 0.0;                           ///< of these [m], at least 0
+    double lowest = 0.0;                            ///< lowest displacement in the logs [m], at most 0
+    double highest = 0.0;                           ///< highest displacement in the logs [m], at least 0
     std::array<double, kStops> stops{};             ///< r_i [-]
     std::array<double, kRelaxing> times{};          ///< tau_j [s]
     double amplitude_time = 1.0;                    ///< tau_a [s]
-    bool resonant = false;                          ///< whether there are resonators
+    bool resonant = false;                          ///< true if there are resonators
     std::array<double, kResonators> frequencies{};  ///< omega/(2 pi) of each [Hz]
-    double damping = 0.15;                          ///< D of all of them [-]
-    std::size_t points = 2;                         ///< of the characteristic
+    double damping = 0.15;                          ///< D of all resonators [-]
+    std::size_t points = 2;                         ///< number of points of the characteristic
   };
 
   explicit ResidualBasis(const Layout& layout);
 
   const Layout& layout() const { return layout_; }
 
-  /// Layout of the memory. Coefficients of a step length are kept until it changes.
+  /// Layout of the memory. Coefficients for a step length are stored until it changes.
   enum Slot : std::size_t {
     kStop,
     kRelaxed = kStop + kStops,
@@ -59,20 +59,20 @@ class ResidualBasis {
     kMemorySize = kTurn + 5 * kResonators,
   };
 
-  /// Initialises the memory for a component at rest at this displacement [m], relaxed since long.
+  /// Initialises the memory for a component at rest and fully relaxed at this displacement [m].
   void initialise(double displacement, double* memory) const;
 
-  /// Advances the memory over one step: of second order in its length (the amplitude of first), and stable for any.
+  /// Advances the memory over one step with an error of second order (first for the amplitude); any step is stable.
   void advance(const Motion& motion, double* memory) const;
 
-  /// Number of functions: products, characteristic, resonators.
+  /// Returns the number of functions: products, points of the characteristic, two for each resonator.
   Eigen::Index size() const;
 
-  /// Their values [-] in that order, each 0 for a component that rests at zero. Products come state by state,
-  /// resonators as x and v of each.
+  /// Computes the values [-] of the functions in that order: products state by state, x and v of each resonator. All
+  /// are 0 for a component at rest at zero displacement.
   void evaluate(const double* memory, Eigen::Ref<Eigen::VectorXd> values) const;
 
-  /// Point of the characteristic at or below a share of the stroke, and how far from it to the next one [0, 1].
+  /// A position on the characteristic: the point below it, and its share of the distance to the next point [0, 1].
   struct Place {
     Eigen::Index point;
     double share;
@@ -94,20 +94,20 @@ class ResidualBasis {
   Eigen::Array<double, kResonators, 1> half_omega_;  // [1/s]
 };
 
-/// F = sum of w_n phi_n(z, ...) over the functions of a ResidualBasis, kept within the forces that it had on the logs
-/// it was fitted to. So it is bounded whatever the motion is, and beyond the displacements that were seen it stays what
-/// it was at their end. It has no cause and claims none; a fit of its weights is a linear least squares.
+/// Simulates F = sum of w_n phi_n(z, ...) over the functions of a ResidualBasis, clamped to the range of its forces on
+/// the logs to which it was fitted. So the force is bounded for any motion, and displacements beyond those of the logs
+/// act like the nearest of these. It is a surrogate without a cause; its weights are fitted by linear least squares.
 ///
-/// It acts beside the component, on the displacement of the actuator as it is, like parts of the rig: effects on the
-/// test piece's displacement and force pass it by. So what it adds is what was measured less what was simulated.
-/// Not passive: it corrects another force, downwards as well.
+/// It acts in parallel with the component, on the displacement of the actuator, as parts of the rig do: effects on the
+/// displacement and force of the test piece do not change it. So it adds measured minus simulated force.
+/// It is not passive, because it may also reduce another force.
 /// Validity: motions like those of the logs, in displacement, frequency and amplitude (docs/surrogate.md).
 /// Source: stop operators, M. A. Krasnosel'skii and A. V. Pokrovskii, Systems with Hysteresis, Springer 1989; sums of
 /// fading memories that are linear in their weights, S. Boyd and L. O. Chua, IEEE Trans. Circuits and Systems 32 (1985)
 /// 1150-1161.
 class Residual final : public ParallelElement {
  public:
-  /// Forces [N] of the functions of the basis, and of all [N].
+  /// Weights of the functions of the basis and bounds of their sum, all [N].
   struct Weights {
     std::vector<double> products;        ///< kStates x kFactors
     std::vector<double> characteristic;  ///< one per point
@@ -116,7 +116,7 @@ class Residual final : public ParallelElement {
     double highest_force = 0.0;          ///< at least 0
   };
 
-  /// Throws std::invalid_argument where sizes do not fit.
+  /// Throws std::invalid_argument if the numbers of weights do not match the layout, or the layout is out of range.
   Residual(const ResidualBasis::Layout& layout, const Weights& weights);
 
   std::size_t memorySize() const override { return ResidualBasis::kMemorySize; }
@@ -132,7 +132,7 @@ class Residual final : public ParallelElement {
   using Resonators = Eigen::Array<double, ResidualBasis::kResonators, 1>;
 
   ResidualBasis basis_;
-  Eigen::Array<double, ResidualBasis::kStates - 1, ResidualBasis::kFactors> products_;  // of stops, relaxing shares
+  Eigen::Array<double, ResidualBasis::kStates - 1, ResidualBasis::kFactors> products_;  // of stops and relaxing shares
   std::array<double, ResidualBasis::kFactors> of_share_{};                              // of q
   std::vector<double> characteristic_;                                                  // 0 at zero displacement
   Resonators position_ = Resonators::Zero();
@@ -141,8 +141,8 @@ class Residual final : public ParallelElement {
   double highest_force_;
 };
 
-/// The entry of a component file for a basis and the weights of its functions [N], in the order of
-/// ResidualBasis::evaluate, whose sum stays within two forces [N].
+/// Returns the entry of a component file for a basis, the weights [N] of its functions in the order of
+/// ResidualBasis::evaluate, and the bounds [N] of their sum.
 ElementDescription residualDescription(const ResidualBasis& basis, const Eigen::VectorXd& weights, double lowest_force,
                                        double highest_force);
 

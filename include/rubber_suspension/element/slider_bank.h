@@ -9,14 +9,14 @@
 
 namespace rubber_suspension::element {
 
-/// A spring k in series with a slider that sticks up to the displacement y of the spring.
+/// A spring k in series with a slider that moves when the spring would exceed the displacement y.
 struct JenkinsSlider {
   double yield_displacement;  ///< y [m]
   double stiffness;           ///< k [N/m]
 
   double maximumForce() const { return stiffness * yield_displacement; }  ///< [N]
 
-  /// Force [N] at a displacement [m]. `slider` is the position of the slider [m], which moves beyond yield.
+  /// Returns the force [N] at a displacement [m]. `slider` is the position of the slider [m], which moves beyond yield.
   double advance(double displacement, double& slider) const {
     if (displacement - slider > yield_displacement) {
       slider = displacement - yield_displacement;
@@ -27,10 +27,10 @@ struct JenkinsSlider {
   }
 };
 
-/// Sum of Jenkins sliders. Rate-independent; closes its minor loops exactly, obeys Masing's rules: the settled loop is
-/// the backbone (the curve from rest) doubled in both axes. Not misled by noise smaller than the least yield
-/// displacement. Memory: the position of each slider. Source: W. D. Iwan, J. Appl. Mech. 33 (1966) 893-900; G. Masing,
-/// Proc. 2nd Int. Congr. Appl. Mech. (1926). Throws nothing: makeElement() checks the values.
+/// Simulates Jenkins sliders in parallel. The force is rate-independent and obeys Masing's rules: minor loops close,
+/// and the settled loop is the backbone (the curve from rest) doubled in both axes. Noise below the smallest yield
+/// displacement needs no dead band. Memory: the position of each slider. Source: W. D. Iwan, J. Appl. Mech. 33 (1966)
+/// 893-900; G. Masing, Proc. 2nd Int. Congr. Appl. Mech. (1926). Throws nothing: makeElement() checks the values.
 class SliderBank : public ParallelElement {
  public:
   explicit SliderBank(std::vector<JenkinsSlider> sliders) : sliders_(std::move(sliders)) {}

@@ -1,4 +1,4 @@
-// The interface of laws by which temperature shifts time and force of a test piece. Throws nothing.
+// Interface of the laws by which temperature shifts time and force of a test piece. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/element.h"
@@ -14,39 +14,39 @@ struct Shift {
   double force = 1.0;  ///< b_T, on the force of the test piece
 };
 
-/// A law of temperature. Several shift one after the other: their factors multiply.
+/// Base of the laws of temperature. The factors of several such laws multiply.
 ///
-/// All that is a rate in the elements of the test piece (relaxation, dashpots, build-up of structure) runs on the
-/// reduced time, the integral of dt/a_T, and their force is multiplied by b_T: a law is the same at any temperature in
-/// units of a_T and b_T (thermorheologically simple), so no state changes with the temperature. Rig, delay, series
-/// compliance, self-heating and the recovery of stress softening keep their own time.
+/// All rates in the elements of the test piece (relaxation, dashpots, build-up of structure) refer to the reduced time,
+/// the integral of dt/a_T, and the force of these elements is multiplied by b_T. In units of a_T and b_T a law is the
+/// same at any temperature (thermorheologically simple), so no state changes with the temperature. Rig, delay, series
+/// compliance, self-heating and the recovery of stress softening refer to the real time.
 /// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11; L. W. Morland, E. H. Lee,
 /// Trans. Soc. Rheol. 4 (1960) 233-263 (temperature that changes).
 class TemperatureShift : public Element {
  public:
-  /// The factors at a temperature [degC] within temperatures().
+  /// Returns the factors at a temperature [degC] within temperatures().
   virtual Shift at(double temperature) const = 0;
 
-  /// Range in which the law is valid [degC].
+  /// Returns the range in which the law is valid [degC].
   virtual Range temperatures() const = 0;
 
   Action action() const final { return Action::shifts_with_temperature; }
-  /// At constant temperature.
+  /// True at constant temperature.
   bool linear() const final { return true; }
-  /// A component loaded cold and unloaded hot does not return the energy that it received.
+  /// A component whose temperature changes between loading and unloading may return more energy than it received.
   bool passive() const final { return false; }
 };
 
 /// Largest shift in decades at which a law is valid.
 constexpr double kMostDecades = 20.0;
 
-/// The range in both.
+/// Returns the intersection of two ranges.
 Range intersection(const Range& a, const Range& b);
 
-/// The row of a coefficient beta of b_T = 1 + beta (T - T_0).
+/// Returns the row of a coefficient beta of b_T = 1 + beta (T - T_0).
 ParameterInfo verticalParameter(const std::string& name, const std::optional<double>& default_value);
 
-/// The row of the reference temperature T_0.
+/// Returns the row of the reference temperature T_0.
 ParameterInfo referenceParameter();
 
 }  // namespace rubber_suspension::element
