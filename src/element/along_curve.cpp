@@ -1,4 +1,4 @@
-// Maxwell elements, dashpots and sliders whose size follows the displacement: rubber under a preload.
+// Maxwell elements, dashpots and sliders whose coefficients depend on the displacement: rubber under a preload.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,15 +14,15 @@
 namespace rubber_suspension::element {
 namespace {
 
-// (1 - (1 + x) exp(-x))/x^2, tends to 1/2: the mean over a step of a relaxing force that grew in proportion to the time
-// before its end.
+// (1 - (1 + x) exp(-x))/x^2, which tends to 1/2: the mean over a step of s exp(-x s), where s is the share of the step
+// up to its end.
 double momentOverStep(double x, const Relaxation& relaxation) {
-  constexpr double kSeries = 0.05;  // beyond, the difference keeps 14 digits
+  constexpr double kSeries = 0.05;  // above, the difference has 14 digits
   return x > kSeries ? (relaxation.mean - relaxation.decay) / x
                      : 1.0 / 2 - x * (1.0 / 3 - x * (1.0 / 8 - x * (1.0 / 30 - x * (1.0 / 144 - x * (1.0 / 840)))));
 }
 
-// Row of the displacements of all three.
+// Returns the row of the displacements, which all three laws have.
 ParameterInfo pointsParameter() {
   return {
       "displacement", "m", Role::choice, Range::any(), "displacements of the points, not decreasing; constant outside",
@@ -33,7 +33,7 @@ PositionTable tableOf(const ElementDescription& description, const std::string& 
   return {description.type, description.list("displacement"), name, description.list(name)};
 }
 
-// k_r exp(b ((z/z_r)^2 - 1)) at points so close that the stiffness between them errs by 2 % at a growth of 10.
+// Returns k_r exp(b ((z/z_r)^2 - 1)) at points so dense that the values between them err by 2 % at a growth of 10.
 PositionTable grownTable(const ElementDescription& description, double growth, int side) {
   constexpr int kPointsOfSide = 48;
   const std::vector<double>& reach = description.list("displacement");
@@ -55,17 +55,17 @@ PositionTable grownTable(const ElementDescription& description, double growth, i
 }
 
 /// dF/dt = k(z) dz/dt - F/tau, tau = 1/(2 pi f_b), with a stiffness that is linear between points of the displacement
-/// and constant beyond. With k in proportion to the slope of the static curve, small oscillations have a loss angle
-/// that does not depend on the preload, as those of rubber. With U the integral of k over z and w = U(z) - F, the
-/// energy is the integral of U - w from the point where U = w; it never grows by more than the work done where k > 0.
-/// Exact for a displacement that is linear between samples: a step is split at the points. Memory: force. Validity: one
-/// relaxation time at all preloads. Source: branch of a nonlinear elastic function, A. Ledesma et al., UM-MEAM-95-05
-/// (1995), in structure.
+/// and constant beyond. If k is proportional to the slope of the static curve, the loss angle of small oscillations
+/// does not depend on the preload, as in rubber. With U the integral of k over z and w = U(z) - F, the energy is the
+/// integral of U - w from the point where U = w; for k > 0 it never grows by more than the work done. Exact for a
+/// displacement that is linear between samples: a step is split at the points. Memory: force. Validity: one relaxation
+/// time at all preloads. Source: A. Ledesma et al., UM-MEAM-95-05 (1995), for a branch of this structure with a
+/// nonlinear elastic function.
 ///
-/// With `growth` b the curve has two numbers in place of points: k(z) = k_r exp(b ((z/z_r)^2 - 1)) up to the one
-/// displacement z_r, constant beyond; on the other `side` it is that at 0. So the elastic force grows exponentially
-/// with strain, and relaxes alike from any. Source: quasi-linear viscoelasticity, Y. C. Fung, Biomechanics (Springer
-/// 1981), ch. 7.
+/// With `growth` b the curve has two numbers instead of points: k(z) = k_r exp(b ((z/z_r)^2 - 1)) up to the single
+/// displacement z_r and constant beyond; with a `side`, the other side has the stiffness of z = 0. So the elastic force
+/// grows exponentially with strain and relaxes at the same rate at any strain. Source: quasi-linear viscoelasticity, Y.
+/// C. Fung, Biomechanics (Springer 1981), ch. 7.
 class MaxwellAlongCurve final : public ParallelElement {
  public:
   MaxwellAlongCurve(PositionTable stiffness /* k(z) [N/m] */, double break_frequency /* f_b [Hz] */)
@@ -94,7 +94,7 @@ class MaxwellAlongCurve final : public ParallelElement {
   double rate_;  // 1/tau [1/s]
 };
 
-/// F = c(z) dz/dt with a damping as above: the mean over the step. Source: as above.
+/// F = c(z) dz/dt, averaged over the step, with a damping given by points as above. Source: as above.
 class DashpotAlongCurve final : public ParallelElement {
  public:
   explicit DashpotAlongCurve(PositionTable damping /* c(z) [N s/m] */) : damping_(std::move(damping)) {}
@@ -113,9 +113,9 @@ class DashpotAlongCurve final : public ParallelElement {
   PositionTable damping_;
 };
 
-/// The force of a bank of Jenkins sliders times a factor b(z) >= 0 as above. The bank slides at the same displacements
-/// at every preload, with b times the force. The integral of b k (z - s) from the slider s is its energy, so it
-/// dissipates as it slides. Source: sliders as SliderBank.
+/// F = b(z) times the force of a bank of Jenkins sliders, with a factor b(z) >= 0 given by points as above. The sliders
+/// slide at the same displacements at every preload. The energy of one is the integral of b k (z - s) over z from its
+/// position s, so it dissipates as it slides. Source: as SliderBank.
 class SlidersAlongCurve final : public ParallelElement {
  public:
   SlidersAlongCurve(std::vector<JenkinsSlider> sliders, PositionTable factor /* b(z) [-] */)

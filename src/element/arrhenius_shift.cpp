@@ -9,9 +9,9 @@ namespace {
 
 /// ln a_T = E/R (1/T - 1/T_0) with T in K, b_T = 1 + beta (T - T_0).
 ///
-/// Validity: further than about 100 K above T_g, or over a few tens of kelvin anywhere with E as the slope there (of
-/// WLF at its reference: E = ln(10) R T_0^2 C_1/C_2); taken as far as 20 decades to the slow side. A negative E, which
-/// no rubber has, takes back too much of another shift.
+/// Validity: more than about 100 K above T_g, or a few tens of kelvin around any temperature with E as the local slope
+/// (for WLF at T_0: E = ln(10) R T_0^2 C_1/C_2); limited to 20 decades on the slow side. A negative E, which no rubber
+/// has, corrects another shift that is too large.
 /// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
 class ArrheniusShift final : public TemperatureShift {
  public:
@@ -25,7 +25,7 @@ class ArrheniusShift final : public TemperatureShift {
       : parameters_(parameters), vertical_(parameters.vertical, parameters.reference) {}
 
   Shift at(double temperature) const override {
-    // 1/T - 1/T_0 without the difference of two that are nearly equal; 0 at T_0.
+    // 1/T - 1/T_0 without cancellation; 0 at T_0.
     const double reference = parameters_.reference + kZeroCelsius;
     const double absolute = temperature + kZeroCelsius;
     const double difference = (parameters_.reference - temperature) / (absolute * reference);
@@ -53,7 +53,7 @@ class ArrheniusShift final : public TemperatureShift {
   VerticalShift vertical_;
 };
 
-constexpr double kMost = 1e6;  // [J/mol]; the steepest at the glass transition reach half of it
+constexpr double kMost = 1e6;  // [J/mol]; the steepest rubbers reach half of it at the glass transition
 
 const ElementEntry kArrheniusShiftEntry(360,
                                         {"arrhenius_shift",

@@ -10,12 +10,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = k d(z - w), with the dead zone d(x) = x - clamp(x, -g, g): a spring that is in contact only once the clearance g
-/// to either side of the place w is used up, in series with a branch that moves w. Other than free play before the
-/// whole test piece, only this branch is slack, and the clearance moves along with it: after each reversal its force is
-/// missing for 2 g of travel, whatever the amplitude; at amplitudes below g there is none once it has settled. The
-/// force is linear in k, the others given. Dissipates. Validity: contact without impact or friction of the joint.
-/// Memory: w.
+/// F = k d(z - w), with the dead zone d(x) = x - clamp(x, -g, g): a spring with a clearance g to either side of w, in
+/// series with a branch that moves w. Unlike free play before the whole test piece, only this branch has play, and the
+/// clearance moves with it: after each reversal its force is 0 over 2 g of travel at any amplitude; the settled force
+/// at amplitudes below g is 0. The force is linear in k for given other parameters. Dissipates. Validity: contact
+/// without impact or friction of the joint. Memory: w.
 template <class Branch>
 class BehindPlay final : public ParallelElement {
  public:
@@ -41,15 +40,15 @@ class BehindPlay final : public ParallelElement {
 
 double deadZone(double offset, double gap) { return offset - std::clamp(offset, -gap, gap); }
 
-/// At k y the slider is pulled along. Settled loss per cycle at amplitude A > g + y: 4 k y (A - g - y).
-/// Rate-independent, exact for any step. Source: elastic-plastic element with a gap, e.g. K. Worden, G. R. Tomlinson,
-/// Nonlinearity in Structural Dynamics (2001).
+/// The force k y moves the slider. Settled loss per cycle at amplitude A > g + y: 4 k y (A - g - y). Rate-independent,
+/// exact for any step. Source: elastic-plastic element with a gap, e.g. K. Worden, G. R. Tomlinson, Nonlinearity in
+/// Structural Dynamics (2001).
 struct Slider {
   static constexpr Part kPart = Part::friction;
 
   double yield_displacement;  ///< y [m]
 
-  /// Stretch of the spring [m] at the end of a step.
+  /// Returns the stretch of the spring [m] at the end of a step.
   double stretch(const Motion& motion, double gap, double& place) const {
     const double reach = gap + yield_displacement;
     place = std::clamp(place, motion.displacement - reach, motion.displacement + reach);
@@ -57,9 +56,9 @@ struct Slider {
   }
 };
 
-/// dw/dt = F/c, c = k/(2 pi f_b): a Maxwell element where g is 0, a dashpot with backlash where f_b is high.
-/// Exact for a displacement that is linear over the step: contact, free flight and contact again have closed solutions.
-/// Source: dead zone in series with a linear dynamic, e.g. M. Nordin, P.-O. Gutman, Automatica 38 (2002) 1633-1649.
+/// dw/dt = F/c, c = k/(2 pi f_b): a Maxwell element for g = 0, a dashpot with backlash for a high f_b. Exact for a
+/// displacement that is linear over the step, since contact and free flight have closed solutions. Source: dead zone in
+/// series with a linear dynamic, e.g. M. Nordin, P.-O. Gutman, Automatica 38 (2002) 1633-1649.
 struct Damper {
   static constexpr Part kPart = Part::viscous;
 
@@ -74,8 +73,8 @@ struct Damper {
     return deadZone(offset, gap);
   }
 
-  /// Offset between displacement and dashpot [m] after `time` of constant velocity: contact on the side where it is,
-  /// then free flight, then contact on the side that the motion goes to.
+  /// Returns z - w [m] after `time` [s] at constant velocity: contact on the side of `offset`, then free flight, then
+  /// contact on the side towards which the motion goes.
   double offsetAfter(double offset, double velocity, double time, double gap) const {
     const double depth = std::abs(offset) - gap;
     if (depth > 0.0) {
@@ -95,19 +94,17 @@ struct Damper {
     return std::copysign(gap + depthAfter(0.0, speed, time - way / speed), velocity);
   }
 
-  /// Depth of contact [m] after `time` [s], the displacement moving into contact at `velocity` [m/s]:
-  /// dd/dt = v - d/tau.
+  /// Returns the depth of contact [m] after `time` [s] of motion into contact at `velocity` [m/s]: dd/dt = v - d/tau.
   double depthAfter(double depth, double velocity, double time) const {
     const Relaxation relaxation = Relaxation::over(time / relaxation_time);
     return relaxation.decay * depth + relaxation.mean * velocity * time;
   }
 };
 
-/// dw/dt = v_r sign(F) (|F|/(k y))^(1/p): a damper whose force is k y (v/v_r)^p in steady flow. p = 2: an orifice;
-/// p < 1: a damper that blows off, or a fluid that thins; p = 1 is maxwell_behind_play. The flow of a step is that at
-/// its end (flowRoot()): exact in steady flow, of first order in the step else, and it dissipates at any step.
-/// Source: J. C. Dixon, The Shock Absorber Handbook, 2nd ed. 2007, chapter 5, behind the dead zone of
-/// maxwell_behind_play.
+/// dw/dt = v_r sign(F) (|F|/(k y))^(1/p): a damper whose force is k y (v/v_r)^p in steady flow: an orifice for p = 2, a
+/// relief valve or a shear-thinning fluid for p < 1, maxwell_behind_play for p = 1. The step is implicit Euler
+/// (flowRoot()): exact in steady flow, otherwise of first order, dissipative at any step length. Source: J. C. Dixon,
+/// The Shock Absorber Handbook, 2nd ed. 2007, chapter 5, behind the dead zone of maxwell_behind_play.
 struct PowerDamper {
   static constexpr Part kPart = Part::viscous;
 
@@ -117,7 +114,7 @@ struct PowerDamper {
 
   double stretch(const Motion& motion, double gap, double& place) const {
     const double offset = motion.displacement - place;
-    const double depth = std::abs(offset) - gap;  // without flow
+    const double depth = std::abs(offset) - gap;  // at the end of the step, without flow
     if (depth <= 0.0) {
       return 0.0;
     }
@@ -130,7 +127,7 @@ struct PowerDamper {
   }
 };
 
-/// Makes a branch from its parameters of these names, behind its play.
+/// Returns a function that makes a branch behind its play, from the parameters of the branch of these names.
 template <class Branch, class... Names>
 auto makesBehindPlay(Names... names) {
   return [=](const ElementDescription& description) -> ElementPointer {

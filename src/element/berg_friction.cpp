@@ -26,7 +26,7 @@ double BergFriction::startSettled(double amplitude, double centre, double* memor
 std::size_t BergFriction::followUntilReversal(const double* displacement, std::size_t count, double* memory) const {
   std::size_t i = 0;
   for (; i < count && memory[kDirection] == 0.0; ++i) {
-    reverse(displacement[i], 0.0, memory);  // from rest it starts
+    reverse(displacement[i], 0.0, memory);  // starts a branch once the motion leaves the rest position
   }
   const double direction = memory[kDirection];
   double extremum = memory[kExtremum];
@@ -48,7 +48,7 @@ double BergFriction::solveSeriesBalance(double slope, double offset, double comp
   const double direction = at_reference < 0.0 ? 1.0 : -1.0;  // the sum rises with z
   const double left = maximum_force_ - direction * memory[kReferenceForce];
   const double reach = compliance_ * left;
-  // slope w^2 + linear w - constant = 0 has one root w >= 0, here in the form without cancellation.
+  // slope w^2 + linear w - constant = 0 has one root w >= 0, computed here without cancellation.
   const double constant = std::abs(at_reference) * reach;
   const double linear = slope * reach + compliance * left - std::abs(at_reference);
   const double root = std::sqrt(linear * linear + 4.0 * slope * constant);

@@ -1,4 +1,4 @@
-// Bouc-Wen hysteresis: rate-independent friction whose loading and unloading curve by different amounts.
+// Bouc-Wen hysteresis: rate-independent friction whose loading and unloading curves bend differently.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,32 +10,32 @@
 namespace rubber_suspension::element {
 namespace {
 
-// Runge-Kutta steps over the length within which the rate changes by its own size. Its error decreases with the fourth
-// power (see BoucWen).
+// Length of a Runge-Kutta step over the length in which the rate changes by its own size. The error decreases with its
+// fourth power (see BoucWen).
 constexpr double kShareOfBend = 0.06;
-// |q|^n up to which the series in it are used.
+// Largest |q|^n for which the series in |q|^n is used.
 constexpr double kNearZero = 0.125;
-// A rate below this is the limit, but for rounding.
+// Below this rate q is at its limit, up to rounding.
 constexpr double kNoRate = 1e-14;
 
-// Force after relaxing over a way towards 1/coefficient, q' = 1 - coefficient q.
+// Solution of q' = 1 - coefficient q after a travel `way`; it tends to 1/coefficient.
 double relaxedTowardsLimit(double q, double coefficient, double way) {
   return coefficient == 0.0 ? q + way : q * std::exp(-coefficient * way) - std::expm1(-coefficient * way) / coefficient;
 }
 
 /// dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n, F = h: the hysteretic part alone; the stiffness and
-/// the damping of the standard form are a `spring` and a `dashpot` beside it.
+/// the damping of the standard form are a `spring` and a `dashpot` in parallel.
 ///
 /// From rest the force rises with the stiffness A and tends to (A/(beta + gamma))^(1/n); the larger the exponent n, the
 /// sharper the bend before it. Unloading starts with the slope A + (beta - gamma) |h|^n. For beta >= |gamma| the energy
 /// h^2/(2 A) never grows by more than the work done, so the law dissipates. With gamma = -beta there is no limit.
 /// Minor loops do not close; `iwan` closes them.
 ///
-/// Exact for n = 1. Otherwise the law is integrated over the way by Runge-Kutta steps that are short against the bend:
-/// the error stays below 1e-6 of (A/beta)^(1/n) for n up to 20, whatever the step. Memory: the force.
+/// Exact for n = 1. Otherwise the law is integrated over the travel by Runge-Kutta steps that are short compared to the
+/// bend: the error is below 1e-6 of (A/beta)^(1/n) for n up to 20 at any step length. Memory: the force.
 /// Source: Y.-K. Wen, J. Eng. Mech. Div. ASCE 102 (1976) 249-263; as a model of rubber: Kim et al., reference 11 of
 /// Polach (IAVSD 2015); dissipation: M. Ismail, F. Ikhouane and J. Rodellar, Arch. Comput. Methods Eng. 16 (2009)
-/// 161-188. Its type's
+/// 161-188.
 class BoucWen final : public ParallelElement {
  public:
   BoucWen(double stiffness /* A [N/m] */, double beta /* [N^(1-n)/m] */, double gamma /* [N^(1-n)/m] */,
@@ -61,11 +61,11 @@ class BoucWen final : public ParallelElement {
   Part part() const override { return Part::friction; }
 
  private:
-  // The law along a way in one direction, q being the force over its scale, positive in that direction, and the way
-  // that over scale/A: q' = 1 - |q|^n (sign(q) + gamma/beta).
+  // Derivative of q by the travel in one direction, q' = 1 - |q|^n (sign(q) + gamma/beta). q is the force over scale_,
+  // positive in that direction; the travel is in units of scale_/A.
   double rate(double q) const { return 1.0 - std::pow(std::abs(q), exponent_) * (std::copysign(1.0, q) + asymmetry_); }
 
-  // Way from q = 0 to a small q, with a sign: the integral of 1/q' as a series in |q|^n, as the law bends at zero.
+  // Signed travel from q = 0 to a small q: the integral of 1/q' as a series in |q|^n, which is not smooth at zero.
   double wayFromZero(double q) const {
     const double ratio = (asymmetry_ + std::copysign(1.0, q)) * std::pow(std::abs(q), exponent_);
     double sum = 1.0;
@@ -76,7 +76,7 @@ class BoucWen final : public ParallelElement {
     return q * sum;
   }
 
-  // The small q at a way from q = 0, by Newton's method.
+  // Inverse of wayFromZero(), by Newton's method.
   double nearZero(double way) const {
     double q = std::clamp(way, -near_, near_);
     for (int i = 0; i < 8; ++i) {
@@ -138,8 +138,8 @@ class BoucWen final : public ParallelElement {
   double exponent_;
   double asymmetry_;  // gamma/beta [-]
   double scale_;      // (A/beta)^(1/n) [N]
-  double limit_;      // that a long way in one direction tends to, over the scale [-]; infinite for gamma = -beta
-  double near_;       // likewise, up to which the bend at zero counts [-]
+  double limit_;      // limit of q after a long travel in one direction [-]; infinite for gamma = -beta
+  double near_;       // largest |q| for which the series at zero is used [-]
 };
 
 const ElementEntry kBoucWenEntry(

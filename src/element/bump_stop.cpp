@@ -1,4 +1,4 @@
-// Bump stop: a further spring that comes into contact beyond a gap.
+// Bump stop: an additional spring that comes into contact beyond a gap.
 #include <cmath>
 
 #include "element/registry.h"
@@ -6,9 +6,9 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = k_s d (d/d_ref)^(p-1) with the depth d = (|z| - g)_+, directed as z, on one side or on both. No loss.
-/// k_s is the secant stiffness at the reference depth; for p = 1 the stop is linear and d_ref without influence.
-/// Validity: contact without impact; the rebound of a stop with damping of its own needs a law of its own.
+/// F = k_s d (d/d_ref)^(p-1) with the depth d = (|z| - g)_+, in the direction of z, on one side or on both. No loss.
+/// k_s is the secant stiffness at the reference depth; for p = 1 the stop is linear and d_ref has no influence.
+/// Validity: contact without impact; the rebound of a stop with damping needs another law.
 /// Source: contact law F = K d^p of Hertz (p = 3/2) as used by Hunt and Crossley, J. Appl. Mech. 42 (1975) 440-445.
 class BumpStop final : public ParallelElement {
  public:

@@ -18,7 +18,7 @@ namespace {
 
 using Entries = std::map<int, ElementType>;
 
-// Sorted by place; created when the first law registers, in whatever order static objects are initialised.
+// Sorted by place. Static in a function, since laws register while static objects are initialised, in any order.
 Entries& entries() {
   static Entries list;
   return list;

@@ -5,7 +5,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// A single Jenkins slider: sticks as a spring k up to F_max, then slides at F_max; turns at once at a reversal.
+/// A single Jenkins slider: a spring k up to F_max, then sliding at F_max; it sticks again at every reversal.
 /// For k -> infinity it is Coulomb's law. Settled loss per cycle at amplitude A > F_max/k: 4 F_max (A - F_max/k).
 /// Source: C. F. Jenkin, Engineering 114 (1922) 603; as an element of rubber models: Sedlaczek et al. (2011).
 const ElementEntry kCoulombFrictionEntry(

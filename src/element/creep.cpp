@@ -14,10 +14,10 @@ namespace {
 constexpr double kElementsPerDecade = 2.0;
 constexpr double kMaximumDecadesOfTime = 12.0;  // bounds the memory
 
-/// After a step of displacement z the force falls by S z per decade of time, between the shortest and the longest time.
-/// Realised by two Maxwell elements per decade with equal stiffness S/2 and relaxation times in geometric progression,
-/// at the middles (on a log axis) of equal bands; the slope then ripples by less than 0.5 % away from the ends.
-/// Right after the step it adds S z for each decade, so it stiffens what is faster than the shortest time.
+/// Returns Maxwell elements whose force after a step of displacement z falls by S z per decade of time, between the
+/// shortest and the longest time. There are about two per decade, of equal stiffness S/2; their relaxation times are
+/// the middles (on a log axis) of equal bands, so that the slope ripples by less than 0.5 % away from the ends.
+/// Right after the step their force is S z for each decade, so they also stiffen motion faster than the shortest time.
 /// Validity: between the two times; before and after the force is constant. Towards the longest time T the slope falls
 /// as exp(-t/T): by 10 % at T/10.
 /// Source: A. N. Gent, J. Appl. Polym. Sci. 6 (1962) 433-441 (stress relaxation linear in log t).

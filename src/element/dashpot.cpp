@@ -5,8 +5,8 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = c dz/dt, the rate being that of the piecewise linear displacement: the force of a sampled sine lags by half a
-/// step, an error of phase of pi f dt. Its stiffness grows without limit with frequency, so it suits a narrow band
+/// F = c dz/dt with the rate of the piecewise linear displacement: the force of a sampled sine lags by half a step, a
+/// phase error of pi f dt. The dynamic stiffness grows without limit with frequency, so the element suits a narrow band
 /// only. Source: Polach (IAVSD 2015), element c0 of M1, M3 and M5.
 class Dashpot final : public ParallelElement {
  public:
@@ -30,7 +30,7 @@ class Dashpot final : public ParallelElement {
   double damping_;
 };
 
-/// F = c dz/dt for a displacement that is smooth between samples: without lag.
+/// F = c dz/dt for a displacement that is smooth between samples, without that lag.
 class SmoothDashpot final : public SmoothRateDashpot {
  public:
   explicit SmoothDashpot(double damping /* [N s/m] */) : damping_(damping) {}

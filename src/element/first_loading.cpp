@@ -1,4 +1,4 @@
-// Force of the first loading: what a new test piece carries beyond displacements that were reached before.
+// Additional force of a new test piece beyond the largest past displacement.
 #include <algorithm>
 #include <cmath>
 
@@ -10,19 +10,18 @@ namespace {
 
 enum FirstLoadingSlot { kUpper, kLower, kFollowed };
 
-/// F = k d, d = |z| - S beyond the reach S of a side, towards that side, and 0 within. Moving outwards beyond S the
-/// reach follows, dS = d/(b |z|) d|z|, so that d tends to b |z|/(1 + b): the first loading carries k b |z|/(1 + b) more
-/// than the rubber does later. Moving inwards S stays; a second loading has less of it, each further one less again,
-/// and after n cycles about b/n of the displacement is left.
+/// F = k d with d = |z| - S beyond the reach S of a side, towards that side, and F = 0 within. During outward motion
+/// beyond S the reach follows, dS = d/(b |z|) d|z|, so that d tends to b |z|/(1 + b): the force of the first loading is
+/// up to k b |z|/(1 + b) larger than later. During inward motion S is constant. The additional force decreases with
+/// each further loading; after n cycles d is about b/n of the displacement.
 ///
-/// It is the additive part of stress softening, of filler that breaks: a factor on the force (stress_softening) cannot
-/// add to the first loading alone, nor to its loss. Each side has a reach of its own. Rate-independent, exact for any
-/// step, dissipates. The reach is permanent: a long rest keeps it. With a dead band the displacement is that behind
-/// play of this width: noise within it, which would move the reach on with every sample, moves nothing. Memory: the
-/// reaches of the upper and the lower side, and the displacement behind the play. Source: yielding at a limit that is
-/// approached smoothly (P. R. Dahl, AIAA J. 14 (1976) 1675-1682), one-sided and irreversible; that the first loading
-/// alone breaks filler, and the more the farther it goes: J. Diani, B. Fayolle, P. Gilormini, Eur. Polymer J. 45 (2009)
-/// 601-612.
+/// It is the additive part of stress softening, due to filler that breaks: a factor on the force (stress_softening) can
+/// increase neither the first loading alone nor its loss. Each side has its own reach. Rate-independent, exact for any
+/// step, dissipates. The reach is permanent, also over a long rest. With a dead band, z is the displacement behind play
+/// of this width, because noise would otherwise extend the reach with every sample. Memory: the reaches of the upper
+/// and the lower side, and the displacement behind the play. Source: yielding at a limit that is approached smoothly
+/// (P. R. Dahl, AIAA J. 14 (1976) 1675-1682), here one-sided and irreversible; filler breaks only on first loading, and
+/// more at larger strain: J. Diani, B. Fayolle, P. Gilormini, Eur. Polymer J. 45 (2009) 601-612.
 class FirstLoading final : public ParallelElement {
  public:
   enum class Side { lower = -1, both = 0, upper = 1 };
@@ -38,7 +37,7 @@ class FirstLoading final : public ParallelElement {
     return 0.0;
   }
 
-  // Rest at a displacement not reached before relaxes the force there: the reach continues to it.
+  // A long rest at a displacement beyond the reach relaxes the force there, so it extends the reach.
   double relax(double displacement, double* memory) const override {
     memory[kUpper] = std::max(memory[kUpper], displacement);
     memory[kLower] = std::max(memory[kLower], -displacement);
@@ -57,8 +56,8 @@ class FirstLoading final : public ParallelElement {
   Part part() const override { return Part::friction; }
 
  private:
-  /// Moves a reach along with an outward motion to `end` [m] by `increment` [m]; returns how far `end` lies beyond.
-  // Solution of dd/dz = 1 - d/(b z) from where the motion leaves the reach.
+  /// Extends a reach by a motion of `increment` to `end` [m]; returns how far `end` is beyond the new reach [m]. Solves
+  /// dd/dz = 1 - d/(b z) from the point where the motion exceeds the reach.
   double follow(double end, double increment, double& reach) const {
     const double start = std::max(end - increment, reach);
     if (end <= start) {

@@ -1,11 +1,11 @@
-// Force that grows with time whatever the displacement: drift of a load cell.
+// Force that grows with time, whatever the displacement: drift of a load cell.
 #include "element/registry.h"
 
 namespace rubber_suspension::element {
 namespace {
 
-/// F = r t, t being the time since the start. Opens every loop; its dynamic stiffness is 0.
-/// Validity: the linear trend over one record; a load cell that warms up levels off later. Memory: the time.
+/// F = r t with the time t since the start. No loop closes; the dynamic stiffness is 0.
+/// Validity: the linear trend of one log; the drift of a load cell that warms up levels off later. Memory: the time.
 class ForceDrift final : public ParallelElement {
  public:
   explicit ForceDrift(double rate /* r [N/s] */) : rate_(rate) {}

@@ -1,10 +1,10 @@
-// Constant force: zero error of a load cell, or a preload that the displacement does not know of.
+// Constant force: offset of a load cell, or a preload that the displacement does not include.
 #include "element/registry.h"
 
 namespace rubber_suspension::element {
 namespace {
 
-/// F = F_0. Changes the mean force and nothing else, so its dynamic stiffness is 0.
+/// F = F_0. It changes the mean force only, so its dynamic stiffness is 0.
 class ForceOffset final : public ParallelElement {
  public:
   explicit ForceOffset(double offset /* F_0 [N] */) : offset_(offset) {}

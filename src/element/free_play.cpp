@@ -1,4 +1,4 @@
-// Free play: a dead zone in which the test piece is not moved.
+// Free play: a dead zone in which the test piece does not move.
 #include <algorithm>
 
 #include "element/registry.h"
@@ -6,9 +6,9 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// The test piece sees z - s clamp(z, -g, g): with the share s = 1 nothing within the gap and all that exceeds it
-/// beyond; with less, a seat that gives way within the gap. Entries one after the other make a gap with soft edges.
-/// Lowers the stiffness at small amplitude, opposite to friction: K(A) = K (1 - s g/A).
+/// The displacement of the test piece is z - s clamp(z, -g, g). For a share s = 1 it is 0 within the gap and the excess
+/// over g beyond; a smaller share describes a seat that yields within the gap. Several entries in sequence form a gap
+/// with soft edges. Unlike friction, play lowers the stiffness at small amplitude: K(A) = K (1 - s g/A).
 /// Validity: loss of contact without impact, the gap centred at zero displacement. A component applies it behind the
 /// delay and before the series compliance.
 class FreePlay final : public DisplacementEffect {

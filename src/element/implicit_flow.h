@@ -1,4 +1,4 @@
-// One implicit step of a flow that a power of the force drives.
+// One implicit step of a flow whose rate is a power of the force.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@ inline double flowRootByNewton(double r, double b, double m) {
   return x;
 }
 
-/// The root x >= 0 of x + b x^m = r for b >= 0, m > 0 and r >= 0: what is left of a force r after a step over which its
-/// flow is b x^m. In closed form for m = 1/2, 1 and 2, by Newton's method else, which converges monotonically since the
-/// function is convex (in x^m where m < 1). To rounding.
+/// Returns the root x >= 0 of x + b x^m = r for b >= 0, m > 0 and r >= 0: the force that remains of r after an implicit
+/// step with the flow b x^m. In closed form for m = 1/2, 1 and 2, otherwise by Newton's method, which converges
+/// monotonically since the function is convex (in x^m for m < 1). Accurate to rounding.
 inline double flowRoot(double r, double b, double m) {
   if (!(r > 0.0) || b == 0.0) {
     return std::max(r, 0.0);

@@ -1,4 +1,4 @@
-// Mass that moves with the actuator: fixture, load cell, or the rubber's own share.
+// Mass that moves with the actuator: fixture, load cell, or a share of the rubber's mass.
 #include <cmath>
 
 #include "element/registry.h"
@@ -9,19 +9,19 @@ namespace {
 
 enum InertiaSlot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
 
-/// F = m d2z/dt2, K* = -m w^2: lowers the measured stiffness as f^2, in phase.
+/// F = m d2z/dt2, K* = -m w^2: lowers the measured storage stiffness in proportion to f^2, without loss.
 /// Without a bandwidth the acceleration at a sample is extrapolated linearly from the second differences of the last
-/// four samples, exact for a cubic z(t) at any step lengths, so that the force is neither late nor lossy: relative
-/// error 11/12 (w dt)^2 under a sine. Noise of standard deviation s on z makes about 6.8 m s/dt^2 of noise on F. A kink
-/// of z(t) gives a pulse of force over three steps. Memory: velocity and second difference of the step before, and the
-/// last two step lengths (0 after a rest). Source: fixture mass of a dynamic stiffness test, ISO 10846-2:2008.
+/// four samples, exactly for a cubic z(t) at any step lengths, so that the force has neither lag nor loss: relative
+/// error 11/12 (w dt)^2 under a sine. Noise of standard deviation s on z causes about 6.8 m s/dt^2 of noise on F. A
+/// kink of z(t) causes a pulse of force over three steps. Memory: velocity and second difference of the last step, and
+/// the last two step lengths (0 after a rest). Source: fixture mass of a dynamic stiffness test, ISO 10846-2:2008.
 class Inertia final : public ParallelElement {
  public:
   explicit Inertia(double mass /* m [kg] */) : mass_(mass) {}
 
   std::size_t memorySize() const override { return 4; }
   double step(const Motion& motion, double* memory) const override {
-    // Before a rest the displacement was constant, so any step length may be assumed there.
+    // During a rest the displacement is constant, so its steps may have any length.
     const double dt1 = motion.dt;
     const double dt2 = memory[kLastStep] > 0.0 ? memory[kLastStep] : dt1;
     const double dt3 = memory[kStepBeforeLast] > 0.0 ? memory[kStepBeforeLast] : dt2;
@@ -45,12 +45,12 @@ class Inertia final : public ParallelElement {
   double mass_;
 };
 
-/// Inertia for a noisy displacement: F = m d2z/dt2 of z behind the filter H(s) = (1 + 4 s/w_b)/(1 + s/w_b)^4, whose
-/// error 6 (w/w_b)^2 has no part of first order, so that the force is not late at low frequency. White noise s on z
-/// makes 0.87 m s/dt^2 of force at w_b dt = 1, beyond which samples are too far apart for the filter, and 0.041 m
-/// s/dt^2 at w_b dt = 1/4. The filter is stepped exactly for a displacement that is linear between samples, at any step
-/// lengths. Memory: the lags of the four first-order filters. Source: observer form of a filtered differentiator, e.g.
-/// Khalil, Nonlinear Systems (2002), section 14.5.
+/// F = m d2z/dt2 for a noisy displacement, with z behind the filter H(s) = (1 + 4 s/w_b)/(1 + s/w_b)^4. The error 6
+/// (w/w_b)^2 of H has no part of first order, so the force has no lag at low frequency. White noise s on z causes 0.87
+/// m s/dt^2 on F at w_b dt = 1, above which samples are too far apart for the filter, and 0.041 m s/dt^2 at w_b dt =
+/// 1/4. The filter is stepped exactly for a displacement that is linear between samples, at any step lengths. Memory:
+/// the lags of the four first-order filters. Source: observer form of a filtered differentiator, e.g. Khalil, Nonlinear
+/// Systems (2002), section 14.5.
 class SmoothedInertia final : public ParallelElement {
  public:
   SmoothedInertia(double mass /* m [kg] */, double bandwidth /* w_b/(2 pi) [Hz] */)
@@ -58,9 +58,9 @@ class SmoothedInertia final : public ParallelElement {
 
   std::size_t memorySize() const override { return kLags; }
 
-  // Lags y_k' = w_b (y_(k-1) - y_k) in a row, y_0 = z. Under a ramp of slope v, y_k follows z - k v/w_b; what it
-  // deviates by decays as exp(-w_b t) times a polynomial of the deviations before it. Kept are y_k - z, which are 0 at
-  // rest.
+  // First-order filters in series, y_k' = w_b (y_(k-1) - y_k), y_0 = z. Under a ramp of slope v, y_k - z tends to -k
+  // v/w_b; its deviation decays as exp(-w_b t) times a polynomial with the deviations of y_1 to y_k. The memory
+  // contains y_k - z, which is 0 at rest.
   double step(const Motion& motion, double* memory) const override {
     const double turn = rate_ * motion.dt;
     const double decay = std::exp(-turn);
@@ -78,7 +78,7 @@ class SmoothedInertia final : public ParallelElement {
       }
       memory[k] = sum - static_cast<double>(k + 1) * lag;
     }
-    // s^2 H(s) z in terms of the lags' outputs, s/w_b = (1 - L)/L with L = 1/(1 + s/w_b); the weights add up to 0.
+    // s^2 H(s) z in terms of the filters' outputs, s/w_b = (1 - L)/L with L = 1/(1 + s/w_b); the weights add up to 0.
     const double bend = 4.0 * memory[0] - 11.0 * memory[1] + 10.0 * memory[2] - 3.0 * memory[3];
     return mass_ * rate_ * rate_ * bend;
   }

@@ -18,18 +18,18 @@ namespace {
 
 constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
 constexpr double kMostParts = 4096.0;
-// Longest part of a split step, in radians of the resonance or times in which the quadratic loss halves a rate.
+// Longest part of a split step, in radians of the resonance plus times in which the quadratic loss halves a rate.
 constexpr double kSplit = 0.25;
-constexpr double kMostTurned = 4.0;       // radians of the resonance in a step that is split, with quadratic loss
-constexpr double kPastTurn = 1.0 + 1e-9;  // a deflection is known twice as well as the time at which it turns
-constexpr double kEdgeTolerance = 1e-15;  // of the time of an edge, over the part
-constexpr int kMostStepsToEdge = 50;      // to an edge, as many as halves would take
-constexpr int kMostStops = 64;  // of one part; a guard against edges that rounding places on top of each other
+constexpr double kMostTurned = 4.0;       // limit of the angle that adds parts to a step with quadratic loss [rad]
+constexpr double kPastTurn = 1.0 + 1e-9;  // factor on the time of a turn, so that a part ends just past it
+constexpr double kEdgeTolerance = 1e-15;  // error of the time of an edge, over the part
+constexpr int kMostStepsToEdge = 50;      // as many as bisection needs
+constexpr int kMostStops = 64;            // of one part; ends loops between edges that coincide by rounding
 
-// exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), w^2 = square - a^2; hyperbolic where that is negative.
+// exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), w^2 = square - a^2; hyperbolic functions if that is negative.
 struct Oscillation {
   double cosine;
-  double sine;     // over w [s]
+  double sine;     // exp(-a t) sin(w t)/w [s]
   double missing;  // exp(-a t) (1 - cos(w t))
 
   Oscillation(double decay, double square, double t) {
@@ -53,7 +53,7 @@ struct Oscillation {
   }
 };
 
-// Factors that a step of one length has in common.
+// Coefficients of the exact step for one step length.
 struct OverStep {
   double decay = 0.0;
   double square = 0.0;
@@ -81,7 +81,7 @@ std::uint64_t bitsOf(double value) {
   return bits;
 }
 
-// Most steps of a track are as long as its last: what a thread needed last is kept, in a place by its numbers.
+// Most steps have the length of the last one, so each thread keeps the coefficients in a hash table by their inputs.
 const OverStep& overStep(double decay, double square, double dt) {
   constexpr std::uint64_t kPlaces = 512;
   constexpr std::uint64_t kSpread =
@@ -95,7 +95,7 @@ const OverStep& overStep(double decay, double square, double dt) {
       return kept[at];
     }
   }
-  kept[place ^ 1U] = kept[place];  // as another may want the same place in turn
+  kept[place ^ 1U] = kept[place];  // two tracks may use the same place by turns
   return kept[place] = OverStep(decay, square, dt);
 }
 
@@ -110,7 +110,7 @@ InertiaTrack::InertiaTrack(double mass, double damping, double stiffness, double
       square_(stiffness / mass),
       brake_(quadratic_damping / mass) {}
 
-// de/dt = v - p, dp/dt = square e - 2 a p for a constant velocity v: the matrix exponential, and its integral for v.
+// Solves de/dt = v - p, dp/dt = square e - 2 a p for a constant velocity v, by the matrix exponential and its integral.
 InertiaTrack::Flow InertiaTrack::coupled(Flow flow, double dt, double velocity) const {
   const OverStep& over = overStep(decay_, square_, dt);
   return {over.kept * flow.deflection - over.sine * flow.rate + over.after_velocity * velocity,
@@ -122,7 +122,7 @@ InertiaTrack::Flow InertiaTrack::free(Flow flow, double dt, double velocity) con
   return {flow.deflection + dt * (velocity - flow.rate * slowed.mean), flow.rate * slowed.decay};
 }
 
-// Pieces: -1 and 1 beyond the dead zone, 0 in it.
+// Pieces: -1 and 1 beyond the dead zone, 0 inside.
 InertiaTrack::Flow InertiaTrack::along(int piece, Flow flow, double dt, double velocity) const {
   if (piece == 0) {
     return free(flow, dt, velocity);
@@ -132,7 +132,7 @@ InertiaTrack::Flow InertiaTrack::along(int piece, Flow flow, double dt, double v
   return {after.deflection + edge, after.rate};
 }
 
-// On an edge, the piece that the motion leads to.
+// Returns the piece of the deflection; on an edge, the one that the motion enters.
 int InertiaTrack::pieceOf(Flow flow, double velocity) const {
   const double beyond = std::abs(flow.deflection) - free_travel_;
   const double side = std::copysign(1.0, flow.deflection);
@@ -143,8 +143,8 @@ bool InertiaTrack::isIn(int piece, double deflection) const {
   return piece == 0 ? std::abs(deflection) <= free_travel_ : piece * deflection >= free_travel_;
 }
 
-// When a motion turns that has turned at dt. The velocity u of the deflection obeys u'' + 2 a u' + square u = 0 beyond
-// the dead zone, where half a period holds one turn at most; in it, the rate falls to the velocity.
+// Returns the time at which a deflection turns that has turned at dt. Its velocity u obeys u'' + 2 a u' + square u = 0
+// beyond the dead zone, where half a period contains at most one turn; inside, the rate decays to the velocity.
 double InertiaTrack::timeOfTurn(int piece, Flow flow, double dt, double velocity) const {
   double time = std::log(flow.rate / velocity) / (2.0 * decay_);
   if (piece != 0) {
@@ -161,8 +161,8 @@ double InertiaTrack::timeOfTurn(int piece, Flow flow, double dt, double velocity
   return time > 0.0 && time < dt ? std::min(dt, kPastTurn * time) : dt;
 }
 
-// When a motion passes an edge that is passed at dt, without a turn between: Newton's steps from there, halves where
-// they leave the interval.
+// Returns the time of an edge that the motion has passed at dt without a turn, by Newton's method from dt, with
+// bisection if a step leaves the interval.
 double InertiaTrack::timeOfEdge(int piece, double edge, Flow flow, double dt, double velocity) const {
   double before = 0.0;
   double after = dt;
@@ -180,7 +180,7 @@ double InertiaTrack::timeOfEdge(int piece, double edge, Flow flow, double dt, do
   return after;
 }
 
-// From one edge of the dead zone or turn of the motion to the next.
+// Steps from one edge of the dead zone or turn of the deflection to the next.
 void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const {
   for (int stop = 0; dt > 0.0; ++stop) {
     const int piece = pieceOf(flow, velocity);
@@ -200,18 +200,18 @@ void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const
   }
 }
 
-// In how many parts a step is made: one where that is exact.
+// Returns the number of parts of a step: 1 if that is exact.
 double InertiaTrack::partsOf(double rate, double dt, double velocity) const {
   const double turned = dt * std::sqrt(square_);
   const double braked = dt * brake_ * std::max(std::abs(rate), std::abs(velocity));
-  // A step of several radians is of a motion far below the resonance, where the quadratic loss is next to nothing.
+  // A step of several radians samples a motion far below the resonance, where the quadratic loss is negligible.
   const double parts = brake_ > 0.0         ? (std::min(turned, kMostTurned) + braked) / kSplit
                        : free_travel_ > 0.0 ? turned / kRadiansBetweenTurns
                                             : 1.0;
   return std::clamp(std::ceil(parts), 1.0, kMostParts);
 }
 
-// dp/dt = -(c_2/m) |p| p alone.
+// Solves dp/dt = -(c_2/m) |p| p.
 void InertiaTrack::brake(Flow& flow, double dt) const {
   if (brake_ > 0.0) {
     flow.rate /= 1.0 + brake_ * std::abs(flow.rate) * dt;

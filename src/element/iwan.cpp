@@ -52,7 +52,7 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
   for (int i = 0; i < count; ++i) {
     JenkinsSlider& slider = sliders[static_cast<std::size_t>(i)];
     slider.yield_displacement = displacement * std::pow(ratio, i + 1 - middle);
-    // Slope of the chord that ends at this yield; where a slider yields, the slope falls by its stiffness.
+    // Slope of the chord that ends at this yield displacement; it falls there by the stiffness of the slider.
     slider.stiffness =
         (hyperbola(slider.yield_displacement) - hyperbola(previous)) / (slider.yield_displacement - previous);
     if (i > 0) {

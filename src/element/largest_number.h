@@ -1,4 +1,4 @@
-// The largest and the smallest number that are accepted from anybody, and what is accepted in place of others.
+// The largest and smallest numbers that a parameter may have, and their part of the error messages.
 #pragma once
 
 #include <stdexcept>
@@ -8,20 +8,20 @@
 
 namespace rubber_suspension::element {
 
-/// Largest number [SI] of any Range: larger than in any component; powers of it exceed the range of a double.
+/// Largest magnitude [SI] in any Range: larger than in any component; powers of larger numbers overflow.
 constexpr double kLargestNumber = 1e30;
 
-/// Smallest positive value of a quantity [SI]; 0 is accepted if its Range contains 0. Smaller than in any component:
-/// products and powers of smaller numbers lose their digits or underflow.
+/// Smallest positive value [SI] in a Range without negative values; 0 is accepted if the Range contains it. Smaller
+/// than in any component: products and powers of smaller numbers lose their digits or underflow.
 constexpr double kSmallestNumber = 1e-100;
 
-/// A value of a parameter beyond its Range, as refuseValue() throws it.
+/// Thrown by refuseValue() for a value outside its Range.
 class ValueOutOfRange : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// As describe(range), behind a value that is out of range, which may be so for its size alone.
+/// Returns describe(range), with the largest or the smallest number if the value violates that limit.
 std::string acceptedFor(double value, const Range& range);
 
 }  // namespace rubber_suspension::element

@@ -8,9 +8,9 @@
 
 namespace rubber_suspension::element {
 
-/// Sum of Maxwell elements, each stepped exactly for displacement that is linear between samples.
-/// As basic laws of a component the elements have their coefficients computed once for a step length; step() here
-/// computes them in each step. Memory: the force of each element.
+/// Simulates Maxwell elements in parallel, each exactly for a displacement that is linear between samples. A component
+/// computes their coefficients once per step length, because addTo() adds them as basic laws; step() computes them in
+/// every step. Memory: the force of each element.
 class MaxwellBank : public ParallelElement {
  public:
   explicit MaxwellBank(std::vector<Maxwell> elements) : elements_(std::move(elements)) {}

@@ -1,4 +1,4 @@
-// Maxwell element whose dashpot yields to large forces: rate and amplitude dependence that are coupled.
+// Maxwell element whose dashpot yields at large forces: coupled dependence on rate and amplitude.
 #include <cmath>
 
 #include "element/registry.h"
@@ -7,15 +7,15 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// dF/dt = k dz/dt - F/tau (1 + (|F|/(k y))^p), tau = 1/(2 pi f_b): a Maxwell element at displacements well below y,
-/// one that relaxes the faster the larger its force beyond; the larger the power p, the more y is a limit. So the
-/// stiffness falls with amplitude, but only at frequencies at which the element takes part at all; friction beside a
-/// Maxwell element, a sum, cannot do that. For a given y the force scales with k.
+/// dF/dt = k dz/dt - F/tau (1 + (|F|/(k y))^p), tau = 1/(2 pi f_b): a Maxwell element for spring displacements well
+/// below y; beyond, it relaxes faster the larger its force, and y is a sharper limit the larger the power p. So the
+/// stiffness falls with amplitude, but only at frequencies at which the element contributes, which friction in parallel
+/// with a Maxwell element cannot reproduce. For a given y the force is proportional to k.
 ///
-/// Stepped by splitting: half of the relaxation by the power, the exact linear step, the other half. Exact in the limit
-/// of a large y, of second order in dt/tau (|F|/(k y))^p else, and it dissipates at any step. Memory: the force.
-/// Source: flow that is activated by stress, J. S. Bergstrom and M. C. Boyce, J. Mech. Phys. Solids 46 (1998) 931-954,
-/// in one dimension, beside a linear part; p + 1 is their power m.
+/// The step is a symmetric splitting: half of the nonlinear relaxation, the exact linear step, the other half. Exact in
+/// the limit of a large y, otherwise of second order in dt/tau (|F|/(k y))^p, and dissipative at any step. Memory: the
+/// force. Source: flow that is activated by stress, J. S. Bergstrom and M. C. Boyce, J. Mech. Phys. Solids 46 (1998)
+/// 931-954, in one dimension and with a linear part added; p + 1 is their power m.
 class NonlinearMaxwell final : public ParallelElement {
  public:
   NonlinearMaxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */,
@@ -32,13 +32,13 @@ class NonlinearMaxwell final : public ParallelElement {
   Part part() const override { return Part::viscous; }
 
  private:
-  // dF/dt = -F/tau (|F|/(k y))^p has |F|^-p grow by p/(tau (k y)^p) a second.
+  // Solves dF/dt = -F/tau (|F|/(k y))^p, for which |F|^-p grows at the constant rate p/(tau (k y)^p).
   double yielded(double force, double relaxation_times) const {
     const double share = std::abs(force) / force_;
     if (power_ == 1.0) {
       return force / (1.0 + relaxation_times * share);
     }
-    if (power_ == 3.0) {  // the same as below in half of the time
+    if (power_ == 3.0) {  // the same as below, in half the time
       return force / std::cbrt(1.0 + 3.0 * relaxation_times * share * share * share);
     }
     return force * std::pow(1.0 + power_ * relaxation_times * std::pow(share, power_), -1.0 / power_);

@@ -1,4 +1,4 @@
-// Spring that flows beyond a limit of its force, the faster the farther beyond.
+// Spring that flows beyond a limit of its force, at a rate that grows with the excess.
 #include <cmath>
 
 #include "element/implicit_flow.h"
@@ -7,14 +7,13 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// dF/dt = k (dz/dt - v_r sign(F) max(0, |F|/(k y) - 1)^m): elastic up to the limit k y, at a steady rate v a force of
-/// k y (1 + (v/v_r)^(1/m)), and a slider in the limit of slow motion. So amplitude dependence depends on the rate, and
-/// a hold keeps k y. The force is linear in k, the others given.
+/// dF/dt = k (dz/dt - v_r sign(F) max(0, |F|/(k y) - 1)^m): elastic up to the limit k y; the force is k y (1 +
+/// (v/v_r)^(1/m)) at a steady rate v, that of a slider for slow motion, and k y after a hold. So the amplitude
+/// dependence varies with the rate. The force is linear in k for given other parameters.
 ///
-/// The flow of a step is that at its end (flowRoot()): exact in steady flow, of first order in the step else, and it
-/// dissipates at any step. Memory: the displacement of the spring over y. Source: overstress, P. Perzyna, Adv. Appl.
-/// Mech. 9 (1966) 243-377; for elastomers with an equilibrium hysteresis P. Haupt and K. Sedlan, Arch. Appl. Mech. 71
-/// (2001) 89-109.
+/// The step is implicit Euler (flowRoot()): exact in steady flow, otherwise of first order, and dissipative at any step
+/// length. Memory: the displacement of the spring over y. Source: overstress, P. Perzyna, Adv. Appl. Mech. 9 (1966)
+/// 243-377; for elastomers with an equilibrium hysteresis P. Haupt and K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109.
 class Overstress final : public ParallelElement {
  public:
   struct Parameters {
@@ -28,7 +27,6 @@ class Overstress final : public ParallelElement {
 
   std::size_t memorySize() const override { return 1; }
 
-  // Memory: the spring's displacement in units of y.
   double step(const Motion& motion, double* memory) const override {
     const Parameters& p = parameters_;
     const double target = memory[0] + motion.increment / p.yield_displacement;

@@ -1,4 +1,4 @@
-// Text and membership of ranges of parameters.
+// Ranges of parameters, their text, and errors about values.
 #include "rubber_suspension/element/parameter.h"
 
 #include <fmt/format.h>

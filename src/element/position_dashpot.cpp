@@ -8,12 +8,12 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = c s^p v, s = max(0, (1 + side z/z_r)/2), v = dz/dt: the damping is c at z_r on that side, 0 at the same distance
-/// on the other, and continues to grow beyond; the larger the power p, the later. Sums of both sides and of a linear
-/// dashpot compose what a closing gap does, as in a squeeze film or a hydraulic stop, and dissipate as long as none is
+/// F = c s^p v, s = max(0, (1 + side z/z_r)/2), v = dz/dt: the damping is c at z_r on that side, 0 at z_r on the other,
+/// and grows further beyond; the larger the power p, the later it grows. Elements of both sides and a linear dashpot in
+/// parallel describe a closing gap, as in a squeeze film or a hydraulic stop, and dissipate as long as no damping is
 /// negative. The rate at a sample is that of SmoothRateDashpot. Source: the damping of a squeeze film grows with the
-/// inverse cube of its thickness (O. Reynolds, Phil. Trans. R. Soc. 177, 1886); powers of the position here, which have
-/// no singularity that a test piece could not reach.
+/// inverse cube of its thickness (O. Reynolds, Phil. Trans. R. Soc. 177, 1886); powers of the position replace it here,
+/// since they have no singularity.
 class PositionDashpot final : public SmoothRateDashpot {
  public:
   PositionDashpot(double damping /* c [N s/m] */,

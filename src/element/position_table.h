@@ -1,4 +1,4 @@
-// A number that depends on the displacement: linear between points, constant beyond.
+// A quantity that depends on the displacement: linear between points, constant beyond.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,11 +13,11 @@
 
 namespace rubber_suspension::element {
 
-/// Points of a value over displacement. Two points at one displacement make a step, with the value of the second.
+/// Interpolates between points over the displacement. Two points at one displacement form a step; the second counts.
 class PositionTable {
  public:
-  /// Throws std::invalid_argument that names law and parameter on lists of different lengths and on displacements that
-  /// decrease.
+  /// Throws std::invalid_argument that names law and parameter for empty lists, lists of different lengths and
+  /// decreasing displacements.
   PositionTable(const std::string& type, std::vector<double> displacement /* [m] */, const std::string& name,
                 std::vector<double> value)
       : displacement_(std::move(displacement)), value_(std::move(value)) {
@@ -40,14 +40,14 @@ class PositionTable {
                    displacement);
   }
 
-  /// Visit the pieces of a straight way in their order: begin and end [m], and the values there.
+  /// Calls `visit` for each linear piece of the path from `begin` to `end`, in order: its ends [m], the values there.
   template <class Visit>
   void along(double begin, double end, Visit visit) const {
     begin < end ? upwards(begin, end, visit) : downwards(begin, end, visit);
   }
 
  private:
-  /// Piece i lies below point i and above the one before it.
+  /// Returns the value in piece i, which lies below point i and above point i - 1.
   double inPiece(std::size_t i, double z) const {
     if (i == 0) {
       return value_.front();

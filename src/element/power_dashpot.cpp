@@ -7,10 +7,10 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = c v_r sign(v) |v/v_r|^p, v = dz/dt: at the rate v_r the force of a dashpot c. p = 2: fluid through an orifice;
-/// p < 1: what thins under shear. The rate at a sample is that of SmoothRateDashpot; noise of the displacement makes
-/// about 2.5/dt times as much of it, which a small p turns into much force where the motion turns. Source: power-law
-/// damper, e.g. Constantinou and Symans, NCEER-92-0032 (1992), section 5.
+/// F = c v_r sign(v) |v/v_r|^p, v = dz/dt: at the rate v_r the force of a dashpot c. p = 2 is fluid through an orifice,
+/// p < 1 a shear-thinning fluid. The rate at a sample is that of SmoothRateDashpot. Its noise is about 2.5/dt times
+/// that of the displacement, which for a small p causes large forces near reversals. Source: power-law damper, e.g.
+/// Constantinou and Symans, NCEER-92-0032 (1992), section 5.
 class PowerDashpot final : public SmoothRateDashpot {
  public:
   PowerDashpot(double damping /* c [N s/m] */, double reference_rate /* v_r [m/s] */, double exponent /* p [-] */)

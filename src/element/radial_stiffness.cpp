@@ -1,4 +1,4 @@
-// Stiffening spring by a radius.
+// Spring that stiffens with the radius of two directions.
 #include "rubber_suspension/element/radial_stiffness.h"
 
 #include "element/registry.h"

@@ -1,4 +1,4 @@
-// A check and its error in one call, for everything that refuses what it was given.
+// A check of an input and its error in one call.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,8 +8,7 @@
 
 namespace rubber_suspension::element {
 
-/// Throws an error with this text, in the form of fmt, where something is wrong. The arguments are evaluated in any
-/// case.
+/// Throws an error with a text formatted by fmt if `wrong` is true. The arguments are always evaluated.
 template <class Error = std::invalid_argument, class... Arguments>
 void refuseIf(bool wrong, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
   if (wrong) {

@@ -1,12 +1,12 @@
-// The list of all laws, which each file of this folder enters its law into.
+// Registration of laws in the list of all laws.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
 
 namespace rubber_suspension::element {
 
-/// Enters a law into the list: one static object in the law's own file does it. `place` is its place in the list and on
-/// the reference page. Throws std::logic_error where another law has that place, which ends every program at its start.
+/// Enters a law into the list, by a static object in the law's source file, at this place of the list and of the
+/// reference page. Throws std::logic_error if another law has that place, which ends every program at its start.
 struct ElementEntry {
   ElementEntry(int place, ElementType type);
 };

@@ -22,13 +22,13 @@ constexpr std::size_t kStates = ResidualBasis::kStates;
 constexpr std::size_t kFactors = ResidualBasis::kFactors;
 constexpr std::size_t kProducts = kStates * kFactors;
 
-// Bounds that keep every number finite, far from all that a log can show.
+// Bounds that keep every number finite, far beyond the values of any log.
 constexpr double kShortestTime = 1e-9;     // [s]
 constexpr double kHighestFrequency = 1e9;  // [Hz]
 constexpr double kShortestStroke = 1e-12;  // [m]
 constexpr double kNarrowestRange = 1e-3;   // of displacements, in strokes
 
-// Coefficients of the resonators for a step, side by side.
+// Places of the step coefficients of the resonators in the memory.
 enum Turn : std::size_t {
   kKept = ResidualBasis::kTurn,
   kTurned = kKept + kResonators,
@@ -42,7 +42,7 @@ using Relaxing = Eigen::Array<double, kRelaxing, 1>;
 using Resonators = Eigen::Array<double, kResonators, 1>;
 using States = Eigen::Array<double, kStops + kRelaxing, 1>;
 
-// A part of the memory.
+// Maps a part of the memory.
 template <class Part>
 Eigen::Map<Part> at(double* memory, std::size_t slot) {
   return Eigen::Map<Part>(memory + slot);
@@ -160,7 +160,7 @@ void ResidualBasis::initialise(double displacement, double* memory) const {
   memory[kAmplitude] = std::abs(memory[kShare]);
 }
 
-// exp(-x) by 1/(1 + x + x^2/2), and its mean over the step accordingly: positive for any step.
+// Approximates exp(-x) by 1/(1 + x + x^2/2) and its mean over the step accordingly; both are positive for any step.
 void ResidualBasis::prepare(double dt, double* memory) const {
   memory[kStepLength] = dt;
   memory[kAmplitudeDecay] = layout_.amplitude_time / (layout_.amplitude_time + dt);
@@ -174,7 +174,7 @@ void ResidualBasis::prepare(double dt, double* memory) const {
   }
 }
 
-// The trapezoidal rule, which is stable for any step: e' = A e + (q', 0), A = ((0, -omega), (omega, -2 D omega)).
+// Solves e' = A e + (q', 0), A = ((0, -omega), (omega, -2 D omega)), by the trapezoidal rule, stable for any step.
 void ResidualBasis::prepareResonators(double dt, double* memory) const {
   const Resonators c = dt * half_omega_;
   const Resonators loss = 2.0 * layout_.damping * c;
@@ -288,7 +288,7 @@ double Residual::force(const double* memory) const {
               velocity_ * at<Resonators>(memory, ResidualBasis::kVelocity))
                  .sum();
   }
-  return std::min(std::max(lowest_force_, force), highest_force_);  // in this order what is no number is bounded, too
+  return std::min(std::max(lowest_force_, force), highest_force_);  // this order also bounds NaN
 }
 
 ElementDescription residualDescription(const ResidualBasis& basis, const Eigen::VectorXd& weights, double lowest_force,

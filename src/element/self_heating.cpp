@@ -1,4 +1,4 @@
-// Self-heating: hard work warms the rubber, which softens it.
+// Self-heating: the loss of the rubber warms and softens it.
 #include <algorithm>
 
 #include "element/registry.h"
@@ -9,7 +9,7 @@ namespace {
 
 enum HeatSlot { kRise, kLossForce };
 
-// Far beyond any further softening; no displacement may make the rise infinite.
+// Far beyond the largest softening; bounds the rise, which must stay finite for any displacement.
 constexpr double kLargestRise = 1e6;
 
 constexpr double kLeastFactor = 0.2;
@@ -17,12 +17,12 @@ constexpr double kLeastFactor = 0.2;
 double factorAt(double rise) { return std::clamp(1.0 - rise, kLeastFactor, 1.0); }
 
 /// Factor on the test piece's force: 1 - x, at least 0.2 and at most 1, with dx/dt = s P - x/T.
-/// x is the temperature rise times the relative softening per kelvin; P the power that the viscous and friction parts
-/// take up (softened ones); s = (softening per kelvin)/(heat capacity); T = (heat capacity)/(heat transfer). Under
-/// settled work x tends to s T (mean P). Stiffness and loss force fall alike. Each step takes the mean force of its
-/// ends and decays x exactly. Validity: one temperature for the whole test piece; ambient temperature and the shift of
-/// frequencies are left out. Memory: x, the loss force of the step before. Source: lumped heat balance, e.g. A. R.
-/// Johnson and T.-K. Chen, Comput. Methods Appl. Mech. Eng. 194 (2005) 313-325.
+/// x is the temperature rise times the relative softening per kelvin; P the power absorbed by the viscous and friction
+/// parts after softening; s = (softening per kelvin)/(heat capacity); T = (heat capacity)/(heat transfer). In steady
+/// operation x tends to s T (mean P). Stiffness and loss fall by the same factor. Each step uses the mean of the forces
+/// at its ends and the exact decay of x. Validity: one temperature for the whole test piece; the ambient temperature
+/// and the shift of frequencies are neglected. Memory: x, the loss force of the last step. Source: lumped heat balance,
+/// e.g. A. R. Johnson and T.-K. Chen, Comput. Methods Appl. Mech. Eng. 194 (2005) 313-325.
 class SelfHeating final : public ForceEffect {
  public:
   SelfHeating(double energy_sensitivity /* s [1/J] */, double time_constant /* T [s] */)

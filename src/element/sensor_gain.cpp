@@ -1,14 +1,14 @@
-// Gain of the force's channel.
+// Gain error of the force channel.
 #include "element/registry.h"
 
 namespace rubber_suspension::element {
 namespace {
 
-/// F_recorded = (1 + g) F, g the gain's error: an amplifier or a load cell that is not calibrated.
+/// F_recorded = (1 + g) F with the gain error g: an amplifier or a load cell that is not calibrated.
 ///
-/// It acts on the force of the test piece; what a mass of the rig or a zero adds is taken as recorded. It cannot be
-/// told from stiffnesses and damping that are all off by one factor. Validity: behind a series compliance a small g
-/// only, since the deflection follows the recorded force.
+/// It acts on the force of the test piece; forces of rig masses and offsets are added after it. It cannot be
+/// distinguished from an error of all stiffnesses and dampings by one factor. Validity: with a series compliance a
+/// small g only, since the deflection follows the recorded force.
 class SensorGain final : public ForceEffect {
  public:
   explicit SensorGain(double gain /* g [-] */) : factor_(1.0 + gain) {}

@@ -6,14 +6,14 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// Deflection u = F/(K_s (1 + |F|/F_c)), towards one side alone if so asked. The component solves for the displacement
-/// of the test piece at each step. Several add their deflections.
+/// Deflection u = F/(K_s (1 + |F|/F_c)), optionally for one sign of the force only. The component solves for the
+/// displacement of the test piece at each step. The deflections of several elements add up.
 ///
-/// Without a closing force u = F/K_s: 1/K*_measured = 1/K* + 1/K_s lowers stiffness and loss angle, alike at all
-/// frequencies. With one, contact closes under load: tangent compliance 1/(K_s (1 + |F|/F_c)^2), half the secant
-/// compliance at F_c, no more closure than F_c/K_s. A bolted connection, which opens towards tension, or a pad
-/// that is not held is a compliance of one side beside one of both.
-/// Source of the closure: Bandis, Lumsden and Barton, Int. J. Rock Mech. Min. Sci. 20 (1983) 249-268.
+/// Without a closing force u = F/K_s: 1/K*_measured = 1/K* + 1/K_s lowers stiffness and loss angle, with the same K_s
+/// at all frequencies. With one, the contact closes under load: the tangent compliance is
+/// 1/(K_s (1 + |F|/F_c)^2), the secant compliance is halved at F_c, and the closure is below F_c/K_s. A bolted
+/// connection that opens in tension, or a pad that is not attached, is one compliance of one side in series with one of
+/// both. Source of the closure: Bandis, Lumsden and Barton, Int. J. Rock Mech. Min. Sci. 20 (1983) 249-268.
 class SeriesCompliance final : public SeriesElement {
  public:
   enum class Side { compression = -1, both = 0, tension = 1 };

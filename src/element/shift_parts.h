@@ -9,9 +9,9 @@ constexpr double kGasConstant = 8.31446261815324;  ///< R [J/(mol K)], exact in 
 
 /// b_T = 1 + beta (T - T_0), a_T = 1.
 ///
-/// The entropic elasticity of rubber, b_T = T rho/(T_0 rho_0), is beta = 1/T_0 less the coefficient of thermal
-/// expansion of the volume (T_0 in K); filled rubbers soften instead, by some 0.1 to 1 % per kelvin. Holds where the
-/// factor is positive. Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
+/// For the entropic elasticity of rubber, b_T = T rho/(T_0 rho_0), beta is 1/T_0 minus the volumetric coefficient of
+/// thermal expansion (T_0 in K); filled rubbers soften instead, by some 0.1 to 1 % per kelvin. Valid where the factor
+/// is positive. Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
 class VerticalShift final : public TemperatureShift {
  public:
   VerticalShift(double coefficient /* beta [1/K] */, double reference /* T_0 [degC] */)

@@ -7,14 +7,13 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// dF/dt = k dz/dt - F/tau while |F| < k y, tau = 1/(2 pi f_b); |F| = k y where it would exceed that. Below the break
-/// frequency it relaxes before it slides, above it slides at the amplitude y: the stiffness falls with amplitude at
-/// high frequency only. For a given y the force scales with k.
+/// dF/dt = k dz/dt - F/tau, tau = 1/(2 pi f_b), with |F| limited to k y. Below the break frequency the element relaxes
+/// before it slides; above, it slides at the amplitude y. So the stiffness falls with amplitude at high frequency only.
+/// For a given y the force is proportional to k.
 ///
-/// Between samples the force tends monotonically to its limit, so to cut it at the end of the step is exact for a
-/// displacement that is linear in between. Dissipates. Memory: the force. Source: J. F. Besseling, J. Appl. Mech. 25
-/// (1958) 529-536 (sublayers that yield); as an overlay model of rubber: P.-E. Austrell, A. K. Olsson, Polymer Testing
-/// 32 (2013) 306-312.
+/// For a displacement that is linear between samples the force is monotonic over a step, so clamping it at the end is
+/// exact. Dissipates. Memory: the force. Source: J. F. Besseling, J. Appl. Mech. 25 (1958) 529-536 (sublayers that
+/// yield); as an overlay model of rubber: P.-E. Austrell, A. K. Olsson, Polymer Testing 32 (2013) 306-312.
 class SlidingMaxwell final : public ParallelElement {
  public:
   SlidingMaxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */,

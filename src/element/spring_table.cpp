@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kTableName = "spring_table";
 
-// A table that does not hold (0, 0) itself passes through it by interpolation, so up to rounding only.
+// A table without the point (0, 0) passes through it by interpolation, hence only up to rounding.
 constexpr double kRelativeOffset = 1e-9;
 
 void checkLengths(const std::vector<double>& displacement, const std::vector<double>& force) {
@@ -38,9 +38,9 @@ void checkOrder(const std::vector<double>& displacement, const std::vector<doubl
 }
 
 /// F(z) through the points (z_i, F_i), linear between them and with the end slopes beyond. No loss.
-/// The displacements increase. Where monotone, the forces do not decrease, and F(0) = 0: a preload is a `force_offset`.
-/// Else they are any characteristic, such as one in absolute displacements and forces, and the spring may be active.
-/// Validity: quasi-static characteristic; beyond the ends the table extrapolates without knowledge.
+/// The displacements increase. If `monotone`, the forces do not decrease and F(0) = 0: a preload is a `force_offset`.
+/// Otherwise any forces are accepted, such as absolute ones over absolute displacements; the spring may be active.
+/// Validity: a quasi-static characteristic between the end points; beyond them the table only extrapolates.
 class SpringTable final : public ParallelElement {
  public:
   /// Throws std::invalid_argument on lists that break the rules above.

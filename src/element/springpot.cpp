@@ -16,15 +16,15 @@ constexpr double kMaximumDecadesOfFrequency = 20.0;  // of the range; bounds the
 const double kSpacing = std::log(10.0) / 2.0;
 constexpr double kMargin = 10.0;  // ratio by which the grid reaches beyond the range at either end
 
-// All grid points below `first`: a geometric series of weights x^alpha with centre of gravity
-// sum(x^(alpha+1))/sum(x^alpha). Well above their frequencies their sum is W s/(s + x_t) up to the second moment.
+// One element for all grid points below `first`, a geometric series of weights x^alpha with the sum W and the centre of
+// gravity x_t. Well above their frequencies their sum is W s/(s + x_t) up to the second moment.
 Maxwell lowTail(double scale, double first, double order) {
   const double weight = std::pow(first, order) / std::expm1(order * kSpacing);
   const double moment = std::pow(first, order + 1.0) / std::expm1((order + 1.0) * kSpacing);
   return {scale * weight, moment / weight / kTwoPi};
 }
 
-// All grid points above `last`: dampings x^(alpha-1), squares x^(alpha-2), for frequencies well below.
+// One element for all grid points above `last`, for frequencies well below: dampings x^(alpha-1), squares x^(alpha-2).
 Maxwell highTail(double scale, double last, double order) {
   const double damping = std::pow(last, order - 1.0) / std::expm1((1.0 - order) * kSpacing);
   const double square = std::pow(last, order - 2.0) / std::expm1((2.0 - order) * kSpacing);
@@ -40,18 +40,18 @@ struct SpringpotLaw {
   double high_frequency;
 };
 
-/// F = K_r (d/dt / (2 pi f_r))^alpha z by a bank of Maxwell elements with weights greater than 0.
+/// Returns Maxwell elements of positive stiffness that realise F = K_r (d/dt / (2 pi f_r))^alpha z.
 ///
 /// Realisation: (s/w_r)^alpha = sin(pi alpha)/pi  int (x/w_r)^alpha s/(s + x) dx/x  over all break frequencies x. The
-/// integral is a sum over a geometric grid, two elements per decade, from a decade below the range to a decade above
-/// it; the sums beyond both ends are one Maxwell element each that matches their first two moments. Error |K*/K*_law -
-/// 1| within the range: below 1e-3 for every order (mostly the grid's exp(-pi^2/ln sqrt(10)) = 2e-4). Below the range
-/// the element relaxes to zero force, above it it stiffens to a finite value; both differ from the law. Source: M.
+/// integral is approximated by a sum over a geometric grid, two elements per decade, from a decade below the range to a
+/// decade above it; the rest beyond either end is one Maxwell element that matches its first two moments. Error
+/// |K*/K*_law - 1| within the range: below 1e-3 for every order (mostly that of the grid, exp(-pi^2/ln sqrt(10)) =
+/// 2e-4). Unlike the law, the bank relaxes to zero force below the range and has a finite stiffness above. Source: M.
 /// Sjöberg and L. Kari, Vehicle System Dynamics 37 (2002) 217-236; K. Sedlaczek, S. Dronka and J. Rauh, Vehicle System
 /// Dynamics 49 (2011) 741-759.
 std::vector<Maxwell> springpotBank(const SpringpotLaw& law) {
-  // In units of the reference angular frequency; sin(pi alpha) by the nearer end, so that both limits keep their
-  // digits.
+  // In units of the reference angular frequency. sin(pi alpha) is that of the smaller of alpha and 1 - alpha, which is
+  // accurate near both limits.
   const double sine = std::sin(kPi * std::min(law.order, 1.0 - law.order));
   const double scale = law.stiffness * sine / kPi * kSpacing;
   const double first = law.low_frequency / kMargin / law.reference_frequency;

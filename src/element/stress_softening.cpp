@@ -10,7 +10,7 @@ namespace {
 
 enum SofteningSlot { kLargest, kReach };
 
-// Without std::pow for the powers that a fit tries most.
+// Avoids std::pow for the powers that fits try most.
 double powerOf(double base, double exponent) {
   if (exponent == 1.0) {
     return base;
@@ -18,28 +18,28 @@ double powerOf(double base, double exponent) {
   return exponent == 2.0 ? base * base : std::pow(base, exponent);
 }
 
-// tanh with an absolute rounding, which is all that a factor needs; its relative one near 0 would cost more.
+// tanh with a small absolute error, which suffices for a factor; a small relative error near 0 would cost more.
 double tanhOf(double value) { return 1.0 - 2.0 / (1.0 + std::exp(2.0 * value)); }
 
-/// Factor on the test piece's force: 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - |z/S|^a while |z| < S, and 1 at |z| >= S.
+/// Factor on the test piece's force: 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - |z/S|^a for |z| < S, and 1 for |z| >= S.
 ///
-/// S is the softened reach, at most the largest past displacement M. With path length L = 0 it is M at once, so the
-/// factor is 1 on the first loading and on from where a displacement is exceeded. With L > 0 it approaches M along the
-/// way travelled, dS = (M - S)(1 - exp(-|dz|/L)), so that softening takes some cycles: about L/(4 A) of amplitude A.
-/// Within S the force depends on z alone, the loss is that of the first loading.
+/// S is the softened reach, at most the largest past displacement M. With path length L = 0 it equals M, so the factor
+/// is 1 on the first loading and beyond the largest past displacement. With L > 0 it approaches M with the
+/// distance travelled, dS = (M - S)(1 - exp(-|dz|/L)), so that softening takes about L/(4 A) cycles of amplitude A.
+/// Within S the factor depends on z only, so the effect adds loss on the first loading only.
 ///
-/// The reduction grows with the reach, R(S) = R min(S/S_f, 1)^q; for q = 0 it is R whatever the reach.
-/// With a side, only displacement to that side counts and is softened, by the part that lies there: from nothing at S/4
-/// beyond zero to all at S/4 on the side itself, so that the force has no jump.
+/// The reduction grows with the reach, R(S) = R min(S/S_f, 1)^q; for q = 0 it is R at any reach.
+/// With a side, only displacements to that side count and are softened. The reduction rises linearly from none at S/4
+/// on the other side of zero to its full value at S/4 on that side, so that the force has no jump.
 /// With a recovery time T, M and S return to the present displacement, dM/dt = -(M - |z|)/T; without it softening is
 /// permanent, as it is over the hours of a test.
-/// Validity: displacement stands for the strain energy, which is right for a test piece of one shape under one kind of
+/// Validity: displacement represents the strain energy, which requires one shape of the test piece and one kind of
 /// load. Memory: M, S.
-/// Source: pseudo-elasticity of R. W. Ogden and D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877; their error
-/// function of the energy is a tanh here, u being for a = 2 the energy of a linear spring that lacks to the largest
-/// one, over the latter; a = 1 counts displacement as M. F. Beatty and S. Krishnaswamy, J. Mech. Phys. Solids 48 (2000)
-/// 1931-1965, count strain. That the reduction grows with the largest strain, and recovers: J. Diani, B. Fayolle, P.
-/// Gilormini, Eur. Polymer J. 45 (2009) 601-612.
+/// Source: pseudo-elasticity of R. W. Ogden and D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877, here with a tanh
+/// instead of their error function. For a = 2, u is the share by which the energy of a linear spring is below its
+/// maximum; a = 1 uses displacement as M. F. Beatty and S. Krishnaswamy, J. Mech. Phys. Solids 48 (2000) 1931-1965, use
+/// strain. Reduction that grows with the largest strain, and recovery: J. Diani, B. Fayolle, P. Gilormini, Eur. Polymer
+/// J. 45 (2009) 601-612.
 class StressSoftening final : public ForceEffect {
  public:
   enum class Side { lower = -1, both = 0, upper = 1 };
@@ -49,7 +49,7 @@ class StressSoftening final : public ForceEffect {
     double width;           ///< w [-]
     double path;            ///< L [m]; 0: at once
     double reach_exponent;  ///< q [-]
-    double full_reach;      ///< S_f [m]; greater than 0 beside an exponent
+    double full_reach;      ///< S_f [m]; greater than 0 if q is
     double recovery_time;   ///< T [s]; 0: permanent
     Side side;
     double ratio_power;  ///< a [-]
@@ -63,7 +63,7 @@ class StressSoftening final : public ForceEffect {
     memory[kLargest] = memory[kReach] = reachOf(displacement);
   }
 
-  // A long rest heals what heals at all; else only a displacement beyond all before counts again.
+  // A long rest undoes all softening if there is a recovery time; otherwise only a new largest displacement matters.
   double relax(double displacement, double* memory) const override {
     if (parameters_.recovery_time > 0.0) {
       initialise(displacement, memory);
@@ -91,7 +91,7 @@ class StressSoftening final : public ForceEffect {
     return factor(motion.displacement, memory[kReach]);
   }
 
-  /// The factor at a displacement [m] for a softened reach [m].
+  /// Returns the factor at a displacement [m] for a softened reach [m].
   double factor(double displacement, double reach) const {
     if (std::abs(displacement) >= reach) {
       return 1.0;
@@ -102,13 +102,13 @@ class StressSoftening final : public ForceEffect {
   }
 
  private:
-  /// Reach of a displacement to the active side [m].
+  /// Returns the reach of a displacement on the active side [m].
   double reachOf(double displacement) const {
     return parameters_.side == Side::both ? std::abs(displacement)
                                           : std::max(0.0, static_cast<double>(parameters_.side) * displacement);
   }
 
-  /// Part of a displacement on the active side [-].
+  /// Returns the share of the reduction at a displacement: 0 on the other side, 1 on the active side [-].
   double shareOfSide(double displacement, double reach) const {
     constexpr double kBlended = 0.25;  // of the reach, to either side of zero
     if (parameters_.side == Side::both) {
@@ -124,7 +124,7 @@ class StressSoftening final : public ForceEffect {
                            : parameters_.reduction * powerOf(std::min(reach / parameters_.full_reach, 1.0), exponent);
   }
 
-  // Towards the reach of the present displacement.
+  // Both reaches decay towards that of the present displacement.
   void recover(double dt, double reached, double* memory) const {
     const double kept = Relaxation::over(dt / parameters_.recovery_time).decay;
     for (const SofteningSlot slot : {kLargest, kReach}) {

@@ -1,4 +1,4 @@
-// The nearest word by edit distance, row by row.
+// Edit distance by rows, and the nearest word.
 #include "element/suggestion.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ bool equal(char one, char other) { return lower(one) == lower(other); }
 
 bool isSeparator(const std::string& text, std::size_t at) { return text[at] == '_' || text[at] == '-'; }
 
-// True for a whole part, between separators or ends of the name.
+// Returns true if the name contains the part as a whole, between separators or ends of the name.
 bool hasPart(const std::string& name, const std::string& part) {
   const std::size_t at = name.find(part);
   if (part.empty() || at == std::string::npos) {
@@ -26,7 +26,7 @@ bool hasPart(const std::string& name, const std::string& part) {
   return (at == 0 || isSeparator(name, at - 1)) && (end == name.size() || isSeparator(name, end));
 }
 
-// The nearest, in words whose lengths alone do not set them further apart than `limit`.
+// Returns the nearest word within a limit. A larger difference of the lengths alone excludes a word.
 std::optional<std::string> nearestWithin(const std::string& word, const std::vector<std::string>& known) {
   std::optional<std::string> nearest;
   std::size_t least = 0;
@@ -42,7 +42,7 @@ std::optional<std::string> nearestWithin(const std::string& word, const std::vec
   return nearest;
 }
 
-// Symbols of papers for names of component files.
+// Symbols of the literature with their names in component files.
 const std::vector<std::pair<std::string, std::string>>& symbols() {
   static const std::vector<std::pair<std::string, std::string>> table = {{"m1", "kelvin_voigt"},
                                                                          {"m2", "maxwell"},

@@ -1,4 +1,4 @@
-// The word that a misspelt one was probably meant to be, for the errors of everything that has names.
+// The known word that a misspelt one probably means, for error messages.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::element {
 
-/// The names of the rows of a table.
+/// Returns the names of the rows of a table.
 template <class Rows>
 std::vector<std::string> namesOf(const Rows& rows) {
   std::vector<std::string> names;
@@ -17,16 +17,16 @@ std::vector<std::string> namesOf(const Rows& rows) {
   return names;
 }
 
-/// Number of letters to change, add, omit or swap with their neighbour to turn one word into the other, regardless of
-/// case (optimal string alignment).
+/// Returns the number of letters to change, add, omit or swap with their neighbour to turn one word into the other,
+/// regardless of case (optimal string alignment).
 std::size_t editDistance(const std::string& one, const std::string& other);
 
-/// The known word that is nearest by editDistance(), at most one letter in three apart (of two letters only the case
-/// may differ); else the only known one that has the word as a whole part, as "static_stiffness" has "static" and
-/// "sampling-rate" has "rate". Returns nullopt if no word is near, or the word is known.
+/// Returns the name for a symbol of the literature; else the known word nearest by editDistance(), with at most one
+/// letter in three wrong (of two letters only the case); else the only known one that contains the word as a whole
+/// part, as "static_stiffness" contains "static". Returns nullopt if no word is near, or the word is known.
 std::optional<std::string> nearestWord(const std::string& word, const std::vector<std::string>& known);
 
-/// " (did you mean 'NAME'?)", to be put behind what is wrong; empty without a near word.
+/// Returns " (did you mean 'NAME'?)" to append to an error message; empty without a near word.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace rubber_suspension::element

@@ -7,8 +7,8 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = c v/(1 + |v|/v_h), v = dz/dt: a linear dashpot at slow motion, half of its damping at the rate v_h, and a force
-/// of c v_h at most. The rate at a sample is that of SmoothRateDashpot. Source: M. M. Cross, J. Colloid Sci. 20 (1965)
+/// F = c v/(1 + |v|/v_h), v = dz/dt: a linear dashpot for slow motion, with half of its damping at the rate v_h and a
+/// force below c v_h. The rate at a sample is that of SmoothRateDashpot. Source: M. M. Cross, J. Colloid Sci. 20 (1965)
 /// 417-437, Eq. 6, with the exponent 1 and no damping at infinite rate.
 class ThinningDashpot final : public SmoothRateDashpot {
  public:

@@ -10,10 +10,10 @@ namespace {
 constexpr double kLongestAdvance = 0.02;  // [s]
 constexpr double kLongestDelay = 0.05;    // [s]
 constexpr int kSamples = 256;
-// Whole spacings that the ring contains at least: one for every two consecutive intervals (see store()).
+// Smallest number of spacings that the ring contains: two consecutive intervals exceed one spacing (see store()).
 constexpr int kSpacings = kSamples / 2 - 2;
 
-// Memory: the time since the start, the index of the newest sample, how many there are, then times and displacements.
+// Memory: the time since the start, the index of the newest sample, the number of samples, times and displacements.
 enum DelaySlot { kTime, kNewest, kCount, kTimes, kDisplacements = kTimes + kSamples, kEnd = kDisplacements + kSamples };
 
 int before(int index) { return (index + kSamples - 1) % kSamples; }
@@ -21,17 +21,16 @@ int after(int index) { return (index + 1) % kSamples; }
 
 bool isWhole(double value, int low, int high) { return value >= low && value <= high && std::floor(value) == value; }
 
-/// The test piece sees z(t - T): the force is late by T > 0, so the loss angle falls by 360 degrees times f T (1 ms
-/// is 3.6 degrees at 10 Hz), down to negative values; the magnitude stays. T < 0 raises it, as a late displacement
-/// signal does.
+/// The displacement of the test piece is z(t - T). For T > 0 the force is late, so the loss angle falls by 360 degrees
+/// times f T (3.6 degrees for 1 ms at 10 Hz), possibly below zero; the magnitude does not change. T < 0 increases the
+/// loss angle, as a late displacement signal does.
 ///
-/// T > 0: past samples stand in a ring in the memory, linear in between, at any step length; before the start the
-/// displacement was constant. The ring holds 256 samples. Where the sampling is finer than T/126 the samples are
-/// thinned to that distance, so the ring is never too short; the error is then that of a chord, (w T/126)^2/8 under a
-/// sine.
+/// T > 0: a ring buffer in the memory contains 256 past samples, and the displacement is linear between them, at any
+/// step length; before the start it is constant. If the sampling interval is below T/126, the samples are thinned to
+/// T/126, so that the ring always covers T; the error is then that of a chord, (w T/126)^2/8 under a sine.
 ///
-/// T < 0: the displacement is carried forward along the last step, z + |T| dz/dt, good while w |T| is well below 1
-/// (error (w T)^2/2) and noise is small: |T| should be a few samples at most.
+/// T < 0: the displacement is extrapolated along the last step, z + |T| dz/dt, which is valid while w |T| is well below
+/// 1 (error (w T)^2/2) and noise is small: |T| should be a few samples at most.
 ///
 /// Source: shift theorem of the Fourier transform, K* exp(-i w T).
 class TimeDelay final : public DisplacementEffect {
@@ -61,18 +60,17 @@ class TimeDelay final : public DisplacementEffect {
     return lookUp(memory[kTime] - delay_, memory);
   }
 
-  /// The record of a displacement or force is late.
   bool ofSensor() const override { return true; }
   bool ofMeasuringChain() const override { return true; }
 
-  /// exp(-i w T) for T > 0, 1 + i w |T| for T < 0, which is what the extrapolation does.
+  /// exp(-i w T) for T > 0; 1 + i w |T| for T < 0, as for the extrapolation.
   std::optional<std::complex<double>> transfer(double omega) const override {
     return delay_ > 0.0 ? std::polar(1.0, -omega * delay_) : std::complex<double>(1.0, -omega * delay_);
   }
   bool passive() const override { return false; }
 
  private:
-  // The newest sample is provisional: the next one takes its place if both lie within one spacing of the sample before.
+  // The next sample replaces the newest one if it lies within one spacing of the sample before.
   void store(double time, double displacement, double* memory) const {
     int newest = static_cast<int>(memory[kNewest]);
     const bool replace = memory[kCount] >= 2.0 && time - memory[kTimes + before(newest)] < delay_ / kSpacings;

@@ -1,4 +1,4 @@
-// Network of chains that motion breaks and that forms again.
+// Network of chains that break during motion and form again.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 
 enum NetworkSlot { kNetworkForce, kIntact, kNetworkPlace };
 
-// Integral over a step of dt of exp(-a t) exp(-b (dt - t)): the difference of two relaxations over that of their rates.
+// Integral of exp(-a t) exp(-b (dt - t)) over a step: (exp(-a dt) - exp(-b dt))/(b - a) without cancellation.
 double overlap(double a, double b, double dt) {
   return std::exp(-std::min(a, b) * dt) * dt * Relaxation::over(std::abs(a - b) * dt).mean;
 }
@@ -21,9 +21,9 @@ double overlap(double a, double b, double dt) {
 /// dF/dt = k m dz/dt - (1/tau + |dz/dt|/s) F, dm/dt = (1 - m)/T - m |dz/dt|/s, tau = 1/(2 pi f_b). m is the share of
 /// the chains that is intact. Motion breaks chains, which lose their force, and new ones form without force. In steady
 /// motion of mean speed v, m = 1/(1 + v T/s): the settled law is friction whose limit k m s falls with the speed. m
-/// depends on the displacement alone, so the force is linear in k.
+/// depends on the displacement only, so the force is linear in k.
 ///
-/// With a dead band the |dz/dt| that breaks chains is that behind play of this width, so that noise within it breaks
+/// With a dead band, the speed that breaks chains is that behind play of this width, so that noise within it breaks
 /// none. The step is exact for a displacement that is linear over it. Passive: with the energy W = F^2/(2 k m) the
 /// power lost is (1/tau + |dz/dt|/(2 s)) F^2/(k m) + (1 - m) F^2/(2 k m^2 T) >= 0. Memory: the force, m, the
 /// displacement behind the play [m]. Source: M. S. Green, A. V. Tobolsky, J. Chem. Phys. 14 (1946) 80-92.
@@ -34,7 +34,7 @@ class TransientNetwork final : public ParallelElement {
     double break_frequency;  ///< f_b [Hz]
     double recovery_time;    ///< T [s]
     double travel;           ///< s [m]
-    double dead_band;        ///< of the way that counts as motion [m]
+    double dead_band;        ///< width of the play [m]
   };
 
   explicit TransientNetwork(const Parameters& parameters)

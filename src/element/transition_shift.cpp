@@ -8,11 +8,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// b_T = 1 + a (exp(-(T - T_0)/w) - 1), a_T = 1: the stiffness rises the faster the colder it is, as rubber does on the
-/// way to its glass transition, and keeps 1 - a far above T_0.
+/// b_T = 1 + a (exp(-(T - T_0)/w) - 1), a_T = 1: with cooling the stiffness rises ever more steeply, as that of rubber
+/// towards its glass transition; far above T_0 it tends to the share 1 - a.
 ///
-/// Holds where the factor is positive, and as far as 20 decades of the exponential. Source: the foot of the transition
-/// in isochronous moduli, J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
+/// Valid where the factor is positive and the exponential is below 20 decades. Source: the foot of the transition in
+/// isochronous moduli, J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
 class TransitionShift final : public TemperatureShift {
  public:
   TransitionShift(double share /* a [-] */, double width /* w [K] */, double reference /* T_0 [degC] */)

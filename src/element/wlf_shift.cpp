@@ -9,13 +9,12 @@ namespace {
 
 /// log10 a_T = -C_1 (T - T_0)/(C_2 + T - T_0), b_T = 1 + beta (T - T_0).
 ///
-/// C_1 and C_2 belong to their reference: C_1 C_2 and T_0 - C_2 are the same at any reference, so constants at T_g turn
-/// into those at T_0 by C_2 + T_0 - T_g and C_1 C_2/(C_2 + T_0 - T_g). Where nothing is known C_1 = 17.44 and
-/// C_2 = 51.6 K at T_g.
-/// Validity: from T_g to about T_g + 100 K; the equation has no value at T_0 - C_2 and below, and is taken as far as
-/// 20 decades above that.
-/// Source: M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701-3707; constants of rubbers:
-/// J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, table 11-II.
+/// C_1 and C_2 depend on the reference temperature, but C_1 C_2 and T_0 - C_2 do not. So C_1 and C_2 at T_g correspond
+/// to C_1 C_2/(C_2 + T_0 - T_g) and C_2 + T_0 - T_g at T_0. Without data, C_1 = 17.44 and C_2 = 51.6 K at T_g.
+/// Validity: from T_g to about T_g + 100 K. The equation is singular at T_0 - C_2; it is limited to 20 decades above
+/// that.
+/// Source: M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701-3707; constants of rubbers: J.
+/// D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, table 11-II.
 class WlfShift final : public TemperatureShift {
  public:
   struct Parameters {
