@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
 constexpr const char kUnreadable[] = "{}: cannot be read; accepted: the file that was installed with this program";
 
-// 2 January 1980, since zip has no earlier year and keeps local time: the same bytes today and tomorrow.
+// 2 January 1980, because the bytes must not depend on the date, and zip has local time and no earlier year.
 constexpr time_t kTimeOfFiles = 315619200;
 
 void require(bool done, const std::string& name, const char* reason) {
@@ -36,7 +36,7 @@ std::string readFile(const std::string& path) {
   return content;
 }
 
-// In the form of a UUID, since some importers expect one.
+// In the form of a UUID, which some importers expect.
 std::string guidOf(const std::string& content) {
   const std::uint64_t high = fingerprintOf(content);
   const std::uint64_t low = fingerprintOf(content + "+");
@@ -44,7 +44,7 @@ std::string guidOf(const std::string& content) {
                      low >> 48, low & 0xffffffffffff);
 }
 
-// The binary with the component in its block.
+// Returns the binary with the component in its block.
 std::string binaryWith(const std::string& text, const std::string& path) {
   std::string binary = readFile(path);
   const std::string marker(RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_BLOCK_MARKER));
@@ -71,7 +71,7 @@ std::string componentHeader(const std::string& text) {
   return header + "\n";
 }
 
-// Sorted, since a folder has its files in any order.
+// Sorted, because the order of the files in a folder is arbitrary.
 void addSources(std::vector<ArchiveEntry>& entries, const ComponentData& data, const std::string& folder) {
   std::set<std::string> files;
   std::error_code error;
@@ -97,11 +97,11 @@ std::string toZip(const std::vector<ArchiveEntry>& entries) {
   std::unique_ptr<zip_t, void (*)(zip_t*)> archive(
       zip_open_from_source(whole.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), zip_discard);
   require(archive != nullptr, name, "cannot be created");
-  zip_source_keep(whole.get());  // which is the archive's, too
+  zip_source_keep(whole.get());  // because the archive releases it, too
   for (const ArchiveEntry& entry : entries) {
     zip_source_t* const content = zip_source_buffer(archive.get(), entry.content.data(), entry.content.size(), 0);
     const zip_int64_t index = zip_file_add(archive.get(), entry.path.c_str(), content, ZIP_FL_ENC_UTF_8);
-    if (index < 0) {  // else it is the archive's
+    if (index < 0) {  // otherwise the archive owns it
       zip_source_free(content);
     }
     require(index >= 0, entry.path, zip_strerror(archive.get()));
@@ -140,7 +140,7 @@ ComponentData dataOf(const io::ComponentDescription& description) {
   } else if (description.specification().curve() == nullptr) {
     data.model = description.model();
     data.specification = description.specification();
-  }  // else the elements that the curve leads to, which no variable of the FMU changes
+  }  // otherwise the elements estimated from the curve, which is no variable of the FMU
   if (!description.six && data.model == estimation::Model::elements) {
     data.elements = completed(description.elements());
   }

@@ -29,7 +29,7 @@ bool isCalculated(const Variable& variable) {
   return isOutput(variable) || variable.causality == Causality::calculated_parameter;
 }
 
-// Name, meaning and kind, alike in both versions.
+// Returns name, meaning and kind, which have the same attributes in both versions.
 Attributes commonAttributes(const Variable& variable, Reference reference) {
   static const char* const causalities[] = {"independent", "input", "output", "parameter", "calculatedParameter"};
   const bool is_parameter = variable.causality >= Causality::parameter;
@@ -41,7 +41,7 @@ Attributes commonAttributes(const Variable& variable, Reference reference) {
           {is_parameter || isOutput(variable) ? "initial" : "", isCalculated(variable) ? "calculated" : "exact"}};
 }
 
-// Unit, range and start value, alike in both versions.
+// Returns unit, range and start value, which have the same attributes in both versions.
 Attributes valueAttributes(const Variable& variable) {
   return {{variable.unit == "1" ? "" : "unit", variable.unit},
           {std::isfinite(variable.range.lower) ? "min" : "", number(variable.range.lower)},
@@ -49,7 +49,7 @@ Attributes valueAttributes(const Variable& variable) {
           {variable.start ? "start" : "", number(variable.start.value_or(0.0))}};
 }
 
-// Units of symbols other than base units.
+// Symbols in terms of other units; empty for base units.
 const std::map<std::string, std::string> kSymbols = {
     {"kg", ""}, {"m", ""},     {"s", ""},         {"A", ""},       {"K", ""},    {"rad", ""},  {"mol", ""},
     {"1", "1"}, {"Hz", "1/s"}, {"N", "kg m/s^2"}, {"Pa", "N/m^2"}, {"J", "N m"}, {"W", "J/s"}, {"degC", "K"}};
@@ -74,7 +74,7 @@ class Description {
   std::string text() const { return printer_.CStr(); }
 
  private:
-  // Elements of XML, one inside the other.
+  // Writes an element of XML with its content.
   void element(const char* name, const Attributes& attributes, const std::function<void()>& content = {}) {
     printer_.OpenElement(name);
     for (const auto& [key, value] : attributes) {
@@ -103,8 +103,8 @@ class Description {
     });
     element("DefaultExperiment", {{"startTime", "0"}, {"stepSize", "0.001"}});
     element("ModelVariables", {}, [this] { writeVariables(); });
-    // At a communication point the outputs are those of the step before, whatever the input is set to; only in the
-    // initialisation do they follow it.
+    // At a communication point the outputs are those of the last step and do not depend on the present input; only in
+    // the initialisation do they.
     element("ModelStructure", {}, [this] {
       writeUnknowns("Output", isOutput, "dependencies");
       writeUnknowns("InitialUnknown", isCalculated, "");
@@ -140,7 +140,7 @@ class Description {
     }
   }
 
-  // FMI 2.0 has a list of them and counts the variables from 1, FMI 3.0 names their references.
+  // FMI 2.0 has a list of the unknowns and counts variables from 1; FMI 3.0 has their value references.
   void writeUnknowns(const std::string& kind, bool (*chosen)(const Variable&), const char* dependencies) {
     const auto write = [&] {
       for (Reference i = 0; i < variables_.size(); ++i) {
@@ -165,7 +165,7 @@ class Description {
 
 }  // namespace
 
-// Symbols with exponents, multiplied by blanks and divided by slashes.
+// A unit has symbols with exponents, multiplied by blanks and divided by slashes.
 BaseUnit baseUnitOf(const std::string& unit) {
   BaseUnit sum;
   int sign = 1;

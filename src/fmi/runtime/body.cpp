@@ -62,7 +62,7 @@ void Body::restore(const SavedState& state) {
   }
 }
 
-// Throws std::invalid_argument for a rotation beyond the end of its measure.
+// Throws std::invalid_argument for a rotation beyond the range of its measure.
 Eigen::Isometry3d Body::pose(const Numbers& inputs) const {
   const component::SixNumbers numbers = Eigen::Map<const component::SixNumbers>(inputs.data());
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

@@ -1,4 +1,4 @@
-// The body that an instance moves: a component of one direction or of six, behind the same calls.
+// The component that an instance simulates, of one direction or of six, behind the same calls.
 #pragma once
 
 #include <cmath>
@@ -15,23 +15,23 @@ namespace rubber_suspension::fmi {
 
 class Body {
  public:
-  /// With the parameters that follow from those of the data. Throws std::exception where there is no such component.
+  /// Builds the component with the calculated parameters of its data. Throws std::exception if there is none.
   Body(const ComponentData& data, std::vector<double> calculated);
 
   const std::vector<double>& calculated() const { return calculated_; }
 
-  /// Temperatures [degC] at which its shifts are valid.
+  /// Returns the temperatures [degC] at which the shifts of the component are valid.
   element::Range temperatures() const { return six_ ? six_->temperatures() : one_->temperatures(); }
   void setTemperature(double temperature) {
     six_ ? six_->setTemperature(six_state_, temperature) : one_->setTemperature(one_state_, temperature);
   }
 
-  /// Initialises at rest, never moved before, at a temperature [degC] or as specified, and returns the outputs. Throws
-  /// std::invalid_argument if there are none.
+  /// Initialises at rest, without history, at a temperature [degC] or as specified, and returns the outputs. Throws
+  /// std::invalid_argument if they are not finite or a rotation is beyond the range of its measure.
   Numbers initialise(const Numbers& inputs, const std::optional<double>& temperature);
 
   /// Advances and sets the outputs; returns false if they are not finite. Allocates nothing. Throws
-  /// std::invalid_argument, without any change, for a rotation beyond the end of its measure.
+  /// std::invalid_argument, without any change, for a rotation beyond the range of its measure.
   bool step(double size, const Numbers& inputs, Numbers& outputs) {
     if (six_) {
       return stepSix(size, inputs, outputs);
@@ -46,7 +46,7 @@ class Body {
 
   void save(SavedState& state) const;
 
-  /// Restores a state. Throws std::invalid_argument, without any change, for one that it cannot have saved.
+  /// Restores a state. Throws std::invalid_argument, without any change, for one that this component cannot have saved.
   void restore(const SavedState& state);
 
  private:

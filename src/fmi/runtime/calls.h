@@ -1,6 +1,6 @@
-// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation (chapters 2 and 4 of both standards), one a row. FMI_PLAIN has
-// what it returns, name, parameters and value; FMI_CALL has the version, name, parameters and what it does to an
-// `instance`. fmi.h declares them by these rows, fmi.cpp defines them. Both are to be defined before. No include guard.
+// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation (chapters 2 and 4 of both standards), one per row. FMI_PLAIN has
+// type of the result, name, parameters and value; FMI_CALL has version, name, parameters and the work on an `instance`.
+// fmi.h declares the calls by these rows and fmi.cpp defines them, with both macros defined first. No include guard.
 
 FMI_PLAIN(fmiString, fmi2GetTypesPlatform, (), "default")
 FMI_PLAIN(fmiString, fmi2GetVersion, (), "2.0")
@@ -68,7 +68,7 @@ FMI_CALL(2, SetRealInputDerivatives,
          (void* c, const fmiReference vr[], std::size_t count, const int order[], const double value[]),
          instance.setDerivatives(vr, count, order, value))
 
-// No step is ever under way when one of these is called.
+// No step is in progress when one of these is called.
 FMI_CALL(2, GetRealStatus, (void* c, fmi2StatusKind kind, double* value),
          getStatus(kind == fmi2LastSuccessfulTime,
                    "this status is not a real number; accepted: the last successful time", value, instance.time()))
@@ -81,7 +81,7 @@ FMI_NO_STATUS(GetIntegerStatus, int)
 FMI_NO_STATUS(GetStringStatus, fmiString)
 #undef FMI_NO_STATUS
 
-// All variables are real numbers; the standards want the calls for all other types none the less.
+// All variables are real numbers, but the standards require the calls for all other types as well.
 #define FMI_NO_TYPE(V, Type, get, set)                  \
   FMI_CALL(V, Get##Type, get, refuseType(count, #Type)) \
   FMI_CALL(V, Set##Type, set, refuseType(count, #Type))
@@ -110,7 +110,7 @@ FMI_NO_SIMPLE(3, Clock, bool)
 #undef FMI_NO_SIMPLE
 #undef FMI_NO_TYPE
 
-// Calls that this package offers in neither version; in FMI 3.0 by the parameters of the calls.
+// Calls that this package does not support; those of FMI 3.0 are grouped by their parameters.
 #define FMI_DERIVATIVE FMI_LIST, const fmiReference[], std::size_t, const double[]
 #define FMI_REFUSE(r, parameters, name) FMI_CALL(3, name, parameters, refuse(BOOST_PP_STRINGIZE(name)))
 #define FMI_REFUSED(parameters, names) BOOST_PP_SEQ_FOR_EACH(FMI_REFUSE, parameters, names)

@@ -1,5 +1,5 @@
-// The component within an FMU: the specification or the elements, and what was added; written by the exporter,
-// read by the binary.
+// The component in an FMU: the specification or the elements, and what was added. The exporter writes it, the binary
+// reads it.
 #pragma once
 
 #include <optional>
@@ -23,24 +23,24 @@ struct ComponentData {
   Elements add;                             ///< complete
   /// Shifts with temperature, complete: those of the key `temperature`.
   Elements temperature;
-  /// Set for a component of six directions, with complete elements; of the above it has only name and GUID.
+  /// Set for a component of six directions, with complete elements; it has only name and GUID besides.
   std::optional<component::SixDirectionsLaws> six;
 
-  /// Returns the elements that the model estimates from the specification, or lists. Throws std::invalid_argument
-  /// without a solution.
+  /// Returns the elements that the model lists or estimates from the specification. Throws std::invalid_argument if
+  /// that has no solution.
   Elements modelElements() const;
 
-  /// Returns elements of the model, added elements and temperature shifts, in the order of the component file.
+  /// Returns the elements of the model, added elements and temperature shifts, in the order of the component file.
   Elements allElements() const;
 };
 
-/// With all parameters.
+/// Returns the entries with all defaults. Throws std::invalid_argument as element::complete does.
 Elements completed(Elements entries);
 
-/// Text that fromJson() reads back to the same numbers, bit by bit.
+/// Returns text that fromJson() reads back to the same numbers, bit by bit.
 std::string toJson(const ComponentData& data);
 
-/// Throws std::exception on any other text.
+/// Returns the component of such a text. Throws std::exception on any other text.
 ComponentData fromJson(const std::string& text);
 
 }  // namespace rubber_suspension::fmi

@@ -4,16 +4,16 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Begins the block; once in the whole binary.
+/// Marks the beginning of the block; occurs once in the binary.
 #define RUBBER_SUSPENSION_BLOCK_MARKER "rubber_suspension:component:001"
 
 namespace rubber_suspension::fmi {
 
-/// Bytes of text that fit.
+/// Capacity for the text [bytes].
 constexpr std::size_t kCapacity = 1024 * 1024;
 
-/// Marker, size of the text and text, one after the other, in the file as in memory. The loader of the operating system
-/// maps them together with the code: there is nothing to open, wherever an importer puts the binary.
+/// Marker, size of the text and text, with the same layout in the file and in memory. The operating system maps them
+/// together with the code, so the binary opens no file, wherever an importer puts it.
 struct EmbeddedBlock {
   char marker[sizeof(RUBBER_SUSPENSION_BLOCK_MARKER)];
   std::uint64_t size;  // of the text [bytes]

@@ -15,7 +15,7 @@
 #include "fmi/runtime/embedded.h"
 #include "fmi/runtime/instance.h"
 
-#ifdef RUBBER_SUSPENSION_BUILT_IN  // from its sources
+#ifdef RUBBER_SUSPENSION_BUILT_IN  // compiled from the sources in an FMU
 #include "component_text.h"
 #else
 #define RUBBER_SUSPENSION_COMPONENT_TEXT ""
@@ -31,9 +31,9 @@ static_assert(static_cast<int>(Status::discard) == fmi3Discard && static_cast<in
 
 static_assert(sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) <= kCapacity, "more text than the block holds");
 
-// The text in the block: none until the exporter writes to it.
+// Returns the text in the block, which is empty until the exporter writes to it.
 std::string embeddedText() {
-  // Volatile, because export changes the content in the binary; not constant, so that it is in a section with
+  // Volatile, because the exporter changes the content in the binary; not constant, so that it is in a section with
   // initialised data.
   static volatile EmbeddedBlock block = {RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) - 1,
                                          RUBBER_SUSPENSION_COMPONENT_TEXT};
@@ -43,7 +43,7 @@ std::string embeddedText() {
   return text;
 }
 
-// Call `body` with the instance behind a handle. Exceptions become a message and a status.
+// Calls `body` with the instance behind a handle. Exceptions become a message and a status.
 template <class Body>
 Status guarded(void* handle, Body body) noexcept {
   if (handle == nullptr) {
@@ -90,8 +90,8 @@ Log logTo(void* environment, fmi3LogMessageCallback callback) {
   };
 }
 
-// An instance of the component in this binary, or nullptr with a message. `token` is what modelDescription.xml has as
-// GUID or instantiation token; `refused` is a kind of use that the importer asks for and does not get, or nullptr.
+// Returns an instance of the component in this binary, or nullptr with a message. `token` is the GUID or instantiation
+// token of modelDescription.xml; `refused` names a requested kind of use that is not supported, or is nullptr.
 template <class... Logger>
 void* instantiate(const char* token, bool logging_on, const char* refused, Logger... logger) noexcept {
   try {
@@ -106,18 +106,18 @@ void* instantiate(const char* token, bool logging_on, const char* refused, Logge
     } catch (const std::exception& error) {
       log(Status::error, std::string("the instance cannot be created: ") + error.what());
     }
-  } catch (...) {  // where even the message fails
+  } catch (...) {  // even the message fails
   }
   return nullptr;
 }
 
-// Target of a pointer of the importer. Throws for a null pointer, which becomes an error.
+// Returns the target of a pointer of the importer. Throws std::invalid_argument for a null pointer.
 template <class Value>
 Value& at(Value* pointer, const char* call) {
   return pointer != nullptr ? *pointer : throw std::invalid_argument(std::string(call) + ": the pointer is null");
 }
 
-// Switch debugging on or off, for all categories or for those listed.
+// Switches debug logging on or off, for all categories or for those listed.
 void setLogging(Instance& instance, bool on, std::size_t count, const fmiString* categories) {
   bool events = count == 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -152,12 +152,12 @@ void step(Instance& instance, double time, double size, std::initializer_list<bo
   }
   double ignored = 0.0;
   double& reached = last_time == nullptr ? ignored : *last_time;
-  reached = instance.time();  // where the step is refused
+  reached = instance.time();  // remains if the step is refused
   instance.step(time, size);
   reached = instance.time();
 }
 
-// Answers about the previous step, because no step is ever pending.
+// Returns the status of the last step, because no step is ever pending.
 template <class Value>
 void getStatus(bool known, const char* accepted, Value* value, Value found) {
   refuseIf<Discarded>(!known || value == nullptr, "status: {}", accepted);

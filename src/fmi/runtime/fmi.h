@@ -15,7 +15,7 @@ typedef std::uint32_t fmiReference;
 typedef const char* fmiString;
 typedef int fmi2Boolean;
 typedef const std::uint8_t* fmi3Binary;
-typedef int fmi3Enum;  // of whatever kind, in calls that are refused
+typedef int fmi3Enum;  // any enumeration, in calls that are not supported
 
 enum fmi2Status { fmi2OK, fmi2Warning, fmi2Discard, fmi2Error, fmi2Fatal, fmi2Pending };
 enum fmi2Type { fmi2ModelExchange, fmi2CoSimulation };
@@ -30,7 +30,7 @@ struct fmi2CallbackFunctions {
   void* componentEnvironment;
 };
 typedef void (*fmi3LogMessageCallback)(void* environment, fmi3Status, fmiString category, fmiString message);
-typedef void (*fmi3Callback)();  // of whatever arguments: this package calls none
+typedef void (*fmi3Callback)();  // with any arguments, because this package calls none
 
 #ifdef _WIN32
 #define FMI_EXPORT __declspec(dllexport)

@@ -1,4 +1,4 @@
-// One instance of an FMU, as both versions of the standard see it: phases, variables, steps, saved states.
+// One instance of an FMU for both versions of the standard: phases, variables, steps, saved states.
 #pragma once
 
 #include <array>
@@ -19,18 +19,18 @@ namespace rubber_suspension::fmi {
 /// Result of a call; the numbers are those of fmi2Status and fmi3Status.
 enum class Status : int { ok = 0, discard = 2, error = 3 };
 
-/// Thrown by a call that is refused where nothing has happened and the importer may go on with something else. Whatever
-/// else is thrown makes the call an error.
+/// Thrown by a refused call that has changed nothing, after which the importer may continue. Any other exception makes
+/// the call an error.
 class Discarded : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where messages go: what the call came to and the text.
+/// Receives the messages: the status of the call and the text.
 using Log = std::function<void(Status status, const std::string& message)>;
 
 /// A category of the log.
 struct LogCategory {
-  Status status;  ///< of its messages
+  Status status;  ///< status of its messages
   const char* name;
   const char* description;
 };
@@ -38,22 +38,21 @@ constexpr LogCategory kLogCategories[] = {{Status::ok, "logEvents", "changes of 
                                           {Status::discard, "logStatusDiscard", "refused values"},
                                           {Status::error, "logStatusError", "errors"}};
 
-/// A component of one direction or of six that an importer drives. A step takes the displacement, linear in time, from
-/// where it was to the input as it is set when the step is called, plus what its derivatives add over the step. So an
-/// importer that sets the displacement of the end of the step gets the forces of a replay at the same times, to the
-/// last bit.
+/// Simulates a component of one direction or of six for an importer. During a step the displacement moves linearly in
+/// time to the input at the time of the call, plus the increment from its derivatives. So an importer that sets the
+/// displacement of the end of each step receives the forces of a replay at the same times, bit by bit.
 ///
-/// Calls in a wrong order, unknown references and wrong times are errors that leave the instance as it was; values that
-/// cannot be are discarded. Only a force that is not finite spoils an instance: then it takes a reset or a saved state.
-/// All of them throw. Instances share nothing, so each may be driven by a thread of its own.
+/// Calls in a wrong order, unknown references and wrong times throw errors and do not change the instance; values out
+/// of range throw Discarded. After a force that is not finite, an instance requires a reset or a saved state. Instances
+/// share no data, so each may run in its own thread.
 class Instance {
  public:
-  /// Throws std::exception where the data is none.
+  /// Throws std::exception if the data describes no component.
   Instance(ComponentData data, Log log);
 
   void setTimes(double start, bool stop_defined, double stop);
 
-  /// From one phase to the next; before the first step the component is built and initialised.
+  /// Changes the phase; before the first step the component is built and initialised.
   void pass(Phase from, Phase to, const char* call);
   void reset();
 
@@ -75,7 +74,7 @@ class Instance {
     }
   }
 
-  /// Derivatives of the displacement by time, of orders from 1 to kMostDerivatives; they count for the next step alone.
+  /// Sets derivatives of the displacement by time, of orders 1 to kMostDerivatives, for the next step only.
   void setDerivatives(const Reference* references, std::size_t count, const int* orders, const double* values);
 
   /// Advances by a step [s] that begins at a time [s] and does not end after the stop time. Allocates nothing.
@@ -93,14 +92,14 @@ class Instance {
 
   double time() const { return now_.time; }
 
-  /// Into a state of this instance, without allocation where it was filled before.
+  /// Saves into a state, without allocation if an earlier state of this instance is replaced.
   void save(SavedState& state) const;
   void restore(const SavedState& state);
 
-  /// Log categories that are for debugging can be switched.
+  /// Switches the log of the changes of the phase, which is for debugging.
   void logEvents(bool on) { log_events_ = on; }
 
-  /// Log what a call came to, and return it.
+  /// Logs the status of a call with a message and returns it.
   Status tell(Status status, const std::string& message) const;
 
  private:
@@ -128,7 +127,7 @@ class Instance {
 
   Standing now_;
   bool has_derivatives_ = false;
-  std::optional<Body> body_;  // none: parameters have changed
+  std::optional<Body> body_;  // empty after a change of the parameters
 };
 
 }  // namespace rubber_suspension::fmi

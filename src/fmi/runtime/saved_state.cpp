@@ -1,5 +1,5 @@
-// A saved state as a row of 8-byte words: a magic number, a checksum and the FMU, then numbers: a fixed head, the
-// parameters, the memory of the component. Flat, so that bytes of any kind can be read without recursion.
+// A saved state as a sequence of 8-byte words: magic number, checksum and fingerprint of the FMU, then numbers: a fixed
+// head, the parameters, the memory of the component. Flat, so that any bytes can be read without recursion.
 #include "fmi/runtime/saved_state.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace rubber_suspension::fmi {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x3430544154535352;  // "RSSTAT04", lowest byte first
-constexpr std::size_t kWords = 3;                     // magic number, checksum, FMU
+constexpr std::size_t kWords = 3;                     // magic number, checksum, fingerprint
 
-// The numbers before those in rows, and the rows, in the order of the bytes.
+// Single numbers, and arrays of numbers behind them, in the order of the bytes.
 template <class State, class Count>
 auto singlesOf(State& state, Count& parameters) {
   auto& now = state.standing;
@@ -38,7 +38,7 @@ std::uint64_t hashOf(const char* bytes, std::size_t size) {
   return hash;
 }
 
-// Checksum of all bytes behind it.
+// Returns the checksum of all bytes behind it.
 std::uint64_t checksumOf(const char* bytes, std::size_t size) { return hashOf(bytes + 16, size - 16); }
 
 }  // namespace

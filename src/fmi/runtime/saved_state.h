@@ -14,17 +14,17 @@ namespace rubber_suspension::fmi {
 /// Phase of an instance between instantiation and release.
 enum class Phase : std::uint32_t { instantiated, initialising, stepping, terminated, failed };
 
-/// Highest derivative of the displacement by time that an importer may give for the next step.
+/// Highest time derivative of the displacement that an importer may give for the next step.
 constexpr std::size_t kMostDerivatives = 3;
 
-/// The stop time of an experiment that defines none [s]: one that no step reaches.
+/// The stop time of an experiment without one [s], which no step reaches.
 constexpr double kNoStop = std::numeric_limits<double>::max();
 
 /// Inputs or outputs: one displacement [m] and its force with the parts elastic, viscous and friction [N], or a pose
 /// [m, rad] and a wrench [N, N m].
 using Numbers = std::array<double, 6>;
 
-/// State of an instance that calls change, apart from its component.
+/// State of an instance apart from its component.
 struct Standing {
   Phase phase = Phase::instantiated;
   double time = 0.0;           ///< [s]
@@ -32,9 +32,9 @@ struct Standing {
   Numbers inputs = {};
   Numbers outputs = {};
   std::array<double, kMostDerivatives> derivative = {};  ///< of the input, the first at [0] [m/s, m/s^2, ...]
-  bool has_temperature = false;                          ///< the input has been set
-  double degrees = 0.0;                                  ///< to that [degC]
-  std::vector<double> parameters;                        ///< those that can be set
+  bool has_temperature = false;                          ///< true if the input was set
+  double degrees = 0.0;                                  ///< temperature, if set [degC]
+  std::vector<double> parameters;                        ///< values of those that can be set
   bool settled = false;  ///< the component has been built and initialised; it may have been stepped since
 
   std::optional<double> temperature() const { return has_temperature ? std::optional(degrees) : std::nullopt; }
@@ -47,13 +47,13 @@ struct SavedState {
   std::vector<double> memory;           ///< of the component
 };
 
-/// Bytes that keep every number bit by bit, the same on every machine of this byte order.
+/// Returns bytes that preserve every number exactly and are the same on all machines of this byte order.
 std::string serialise(const SavedState& state);
 
-/// Throws std::exception where the bytes are no state.
+/// Returns the state in such bytes. Throws std::exception for any other bytes.
 SavedState deserialise(const char* bytes, std::size_t size);
 
-/// Hash of a GUID, which distinguishes FMUs (FNV-1a).
+/// Returns the hash of a GUID, which identifies an FMU (FNV-1a).
 std::uint64_t fingerprintOf(const std::string& guid);
 
 }  // namespace rubber_suspension::fmi

@@ -16,7 +16,7 @@ std::string describe(const element::ParameterInfo& parameter) {
   return parameter.documentation + (open ? "; " + element::describe(range) : "");
 }
 
-// The number of elements decides which variables there are, so it stays as it is.
+// The number of elements determines which variables exist, so it cannot be changed.
 element::Range settableRange(const element::ParameterInfo& parameter, double value) {
   return parameter.name == "maxwell_elements" ? element::Range::closed(value, value) : parameter.range;
 }
@@ -59,7 +59,7 @@ void VariableTable::addOne(const ComponentData& data) {
   addTemperature(data.name, component::Component(data.allElements()), data.allElements());
 }
 
-// A pose of B in A, its rotation in the measure of the component, and the wrench.
+// Adds the pose of B in A, with the rotation in the measure of the component, and the wrench.
 void VariableTable::addSix(const ComponentData& data) {
   const std::string rotation =
       data.six->measure == component::RotationMeasure::cardan ? "body-fixed x-y-z angle" : "rotation vector";
@@ -86,7 +86,7 @@ void VariableTable::addSix(const ComponentData& data) {
   addTemperature(data.name, component::SixDirections(*data.six), all);
 }
 
-// It starts at the reference of the first shift, where the component is as specified.
+// Adds the temperature. It starts at the reference of the first shift, where the component is as specified.
 template <class Component>
 void VariableTable::addTemperature(const std::string& name, const Component& component, const Elements& elements) {
   temperature_ = static_cast<Reference>(variables_.size());

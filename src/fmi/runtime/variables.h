@@ -10,11 +10,11 @@
 
 namespace rubber_suspension::fmi {
 
-/// The place of a variable in the list, by which an importer names it.
+/// Place of a variable in the list, which importers use as its value reference.
 using Reference = std::uint32_t;
 
-/// The variables that every FMU has come first: the time, inputs, outputs. The parameters follow, and the temperature
-/// where it does anything. These are the references of one direction; of six there are six inputs and six outputs.
+/// Every list begins with time, inputs and outputs. The parameters follow, then the temperature if the component shifts
+/// with it. These references are for one direction; six directions have six inputs and six outputs.
 namespace reference {
 constexpr Reference kTime = 0;
 constexpr Reference kDisplacement = 1;
@@ -36,7 +36,7 @@ struct Place {
   std::string key = {};                      ///< name of the parameter
   std::size_t position = 0;                  ///< in a list of numbers; 0 for a single one
 
-  /// Not for parameters that are calculated.
+  /// Sets the value in the data. Must not be called for calculated parameters.
   void put(ComponentData& data, double value) const;
 };
 
@@ -47,7 +47,7 @@ struct Variable {
   std::string description;
   Causality causality = Causality::parameter;
   std::optional<double> start = {};  ///< of inputs and parameters
-  element::Range range = {};         ///< an open end is one by the description alone, FMI has no word for it
+  element::Range range = {};         ///< FMI has no open ends; the description states them
   Place place = {};                  ///< of parameters
 };
 
@@ -55,22 +55,22 @@ struct Variable {
 /// listed, added elements, shifts with temperature; then the calculated ones.
 class VariableTable {
  public:
-  /// Throws std::invalid_argument where the specification has no solution.
+  /// Throws std::invalid_argument if the specification has no solution.
   explicit VariableTable(const ComponentData& data);
 
   const std::vector<Variable>& variables() const { return variables_; }
 
-  /// The reference of the temperature; one that no variable has where the component has no shift with temperature.
+  /// Returns the reference of the temperature; without a shift with temperature it exceeds those of all variables.
   Reference temperature() const { return temperature_; }
 
   Reference firstOutput() const { return first_output_; }
   Reference firstParameter() const { return first_parameter_; }
 
-  /// Values of the parameters that can be set, as the data has them.
+  /// Returns the values in the data of the parameters that can be set.
   std::vector<double> startValues() const;
 
-  /// Values of the calculated parameters that these elements have. Throws std::invalid_argument where they are other
-  /// elements than those of the table.
+  /// Returns the values of the calculated parameters for these elements. Throws std::invalid_argument if they are not
+  /// the elements of the table.
   std::vector<double> calculatedValues(const Elements& model_elements) const;
 
  private:
