@@ -1,4 +1,4 @@
-// Diagnoses of logs of a component that hides friction: six logs, and one of any length.
+// Diagnoses of logs of a test piece with friction that its description lacks: six logs, and one of any length.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -21,19 +21,19 @@ io::ComponentDescription describedComponent() {
           {{"spring", {{"stiffness", {3.0e6}}}}, {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}}}};
 }
 
-// The test piece has friction on top, which has memory, as rubber's: minor loops close.
+// The test piece also has friction. It has memory, as in rubber: minor loops close.
 component::Component testPiece() {
   std::vector<element::ElementDescription> elements = describedComponent().elements();
   elements.push_back({"iwan", {{"maximum_force", {3000.0}}, {"displacement", {5e-4}}}});
   return component::Component(elements);
 }
 
-// The test piece with noise of the force, the same with every compiler.
+// The test piece with noise on the force, which is the same with every compiler.
 class MeasuringRig {
  public:
   explicit MeasuringRig(unsigned seed) : random_(seed) {}
 
-  // The sample a step later, at the next displacement [m].
+  // Appends the next sample, at a displacement [m].
   void measure(double displacement, log::Log& log) {
     log.stamp.push_back(1000000 * next_++);
     log.displacement.push_back(displacement);
@@ -48,7 +48,7 @@ class MeasuringRig {
   std::int64_t next_ = 0;
 };
 
-// Logs of several amplitudes.
+// Returns six logs of different amplitudes.
 std::vector<log::Log> sixLogs(double duration) {
   std::vector<log::Log> logs;
   for (const double scale : {1.0, 0.3, 0.6, 0.15, 0.8, 0.45}) {
@@ -61,7 +61,7 @@ std::vector<log::Log> sixLogs(double duration) {
   return logs;
 }
 
-// The benchmark's motion again and again, with an amplitude that changes over minutes.
+// The motion of the benchmark, repeated with an amplitude that changes over minutes.
 class LongLog : public log::LogSource {
  public:
   explicit LongLog(std::size_t samples) : samples_(samples) {}
@@ -69,7 +69,7 @@ class LongLog : public log::LogSource {
   std::string name() const override { return "long log"; }
 
   std::vector<std::string> read(const Take& take) const override {
-    constexpr std::size_t kPeriod = 10000;  // of 1.3, 4 and 17 Hz together
+    constexpr std::size_t kPeriod = 10000;  // common period of 1.3, 4 and 17 Hz [samples]
     constexpr double kSlowly = 2.0 * element::kPi / 900e3;
     const std::vector<double> motion = benchmarkDisplacement(kPeriod);
     MeasuringRig rig(1);

@@ -27,7 +27,7 @@ std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples) {
   std::mt19937_64 random(1);
   std::vector<std::int64_t> stamps(samples);
   for (std::size_t i = 1; i < samples; ++i) {
-    // Odd after even, so that no step is that before it.
+    // Odd and even jitter alternate, so that no step equals the one before it.
     const auto jitter = static_cast<std::int64_t>(random() % 300000) * 2 + static_cast<std::int64_t>(i % 2);
     stamps[i] = stamps[i - 1] + (kind == Stamps::even ? 1000000 : 700000 + jitter);
   }
@@ -96,7 +96,7 @@ void ExampleRun::simulate() {
 void ExampleRun::simulateWholeLog() { force = gap::simulateLog(component, log); }
 
 component::SixDirectionsLaws exampleBush(component::Coupling coupling) {
-  constexpr double kLength = 0.02;  // [m/rad]: of rotations 0.1 rad are what 2 mm are
+  constexpr double kLength = 0.02;  // [m/rad]; a rotation of 0.1 rad corresponds to 2 mm
   component::SixDirectionsLaws laws;
   laws.translation = laws.rotation = coupling;
   for (std::size_t k = 0; k < component::kDirections; ++k) {

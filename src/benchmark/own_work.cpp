@@ -1,4 +1,4 @@
-// Forces by each of the library's ways, and an estimation.
+// Forces by each of the library's calls, and an estimation.
 #include "benchmark/own_work.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ void addComponent(std::vector<Work>& all, std::size_t samples) {
   add("a log offline, `simulateLog`", even, &ExampleRun::simulateWholeLog);
 }
 
-// Components, or bushes of six directions, that all go one path, displacement or pose, tick by tick.
+// Steps components, or bushes of six directions, together along one path of displacements or poses.
 template <class Component, class Position>
 Work ticksOf(const std::string& name, const std::string& unit, const std::vector<Component>& components,
              const std::vector<Position>& path) {
@@ -64,7 +64,7 @@ void addTicks(std::vector<Work>& all, std::size_t samples) {
 
 // The example of O. Polach, "Modelling of rubber components using estimated parameters" (IAVSD 2015).
 Work estimation() {
-  constexpr int kRuns = 100;  // so that one run is long against the resolution of the clock
+  constexpr int kRuns = 100;  // so that one run is long compared to the resolution of the clock
   estimation::Specification specification;
   specification.set("static_stiffness", 3.0e6);   // [N/m]
   specification.set("dynamic_stiffness", 4.2e6);  // [N/m]

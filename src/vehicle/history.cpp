@@ -11,7 +11,7 @@
 namespace rubber_suspension::vehicle {
 namespace {
 
-// Behind others, to the last bit.
+// Returns numbers with all digits as further columns of a row.
 template <class Numbers>
 std::string numbersText(const Numbers& numbers) {
   std::string text;

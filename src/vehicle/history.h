@@ -1,4 +1,4 @@
-// The result of a simulation of the vehicle, at even times, and how two of them differ.
+// The result of a simulation of the vehicle, sampled at a constant interval, and the difference of two results.
 #pragma once
 
 #include <string>
@@ -18,17 +18,17 @@ struct History {
   std::size_t size() const { return time.size(); }
 };
 
-/// RMS of the difference of the displacements over the RMS of those of `reference`, per component [-]: how differently
-/// the vehicle has moved. (Wrenches that are held over a step are no measure: one at the start of a step stands for its
-/// middle.) Throws std::invalid_argument where the two are not of the same length.
+/// Returns, per component, the RMS of the difference of the displacements over the RMS of those of `reference` [-].
+/// (The wrenches do not suit a comparison: one that is held over a step represents the middle of the step.) Throws
+/// std::invalid_argument if the histories are empty or of different length.
 PerBush<double> displacementDifference(const Bushes& components, const History& history, const History& reference);
 
-/// Writes time_s and, of struts, frame_m, pitch_rad, body_m, <component>_displacement_m and <component>_force_N; of
-/// others, behind the name of each component, the coordinates x_m to rz_rad and the wrench Fx_N to Mz_Nm.
+/// Writes time_s and, for struts, frame_m, pitch_rad, body_m, <component>_displacement_m and <component>_force_N;
+/// otherwise, behind the name of each component, the coordinates x_m to rz_rad and the wrench Fx_N to Mz_Nm.
 /// Throws std::runtime_error.
 void writeHistoryCsv(const std::string& path, Kind kind, const Bushes& components, const History& history);
 
-/// The vertical displacements of a run and their difference to a reference, over time.
+/// Returns a figure of the vertical displacements of a run and their difference to a reference, over time.
 io::Figure historyFigure(Kind kind, const Bushes& components, const History& history, const History& reference,
                          const std::string& title);
 

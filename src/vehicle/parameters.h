@@ -13,21 +13,21 @@ enum class Kind {
   body,    ///< a body on components of six directions
 };
 
-/// A body on four bushes; round numbers of a truck's cab.
+/// A body on four bushes, with rounded numbers of a truck cab.
 struct HungBody {
   double mass = 900.0;                                    ///< [kg]
   std::array<double, 3> inertia = {220.0, 700.0, 800.0};  ///< about x forward, y, z upward [kg m^2]
-  double wheelbase = 2.2;                                 ///< the track comes later to the rear bushes [m]
+  double wheelbase = 2.2;                                 ///< delays the track at the rear bushes [m]
 };
 
-/// Masses and lengths; half of a bogie and a quarter of a body of the Manchester benchmark coach [S. Iwnicki (ed.), The
-/// Manchester Benchmarks for Rail Vehicle Simulation, Vehicle System Dynamics 31 Suppl. (1998)].
+/// Masses and lengths of half of a bogie and a quarter of a body of the Manchester benchmark coach [S. Iwnicki (ed.),
+/// The Manchester Benchmarks for Rail Vehicle Simulation, Vehicle System Dynamics 31 Suppl. (1998)].
 struct VehicleParameters {
   double frame_mass = 2615.0 / 2;     ///< [kg]
   double frame_inertia = 1476.0 / 2;  ///< about the lateral axis [kg m^2]
   double body_mass = 32000.0 / 4;     ///< [kg]
   double semi_wheelbase = 1.28;       ///< [m]
-  double secondary_damping = 20e3;    ///< hydraulic damper beside the secondary spring [N s/m]
+  double secondary_damping = 20e3;    ///< hydraulic damper in parallel with the secondary spring [N s/m]
   double speed = 160.0 / 3.6;         ///< [m/s]
   HungBody hung;
 };

@@ -14,7 +14,7 @@ namespace {
 using SimTK::Stage;
 using SimTK::State;
 
-// Wrenches of trial steps from the states at the accepted one.
+// Computes the wrenches of trial steps from the states at the last accepted step.
 class Trials final : public WrenchLaw {
  public:
   explicit Trials(const Bushes& components) : components_(components) {}
@@ -54,7 +54,7 @@ class Trials final : public WrenchLaw {
   double time_ = 0.0;
 };
 
-// Wrenches that somebody else has set.
+// Returns wrenches that the caller has set.
 class HeldWrenches final : public WrenchLaw {
  public:
   component::Wrench wrench(std::size_t bush, double /*time*/, const Eigen::Isometry3d& /*pose*/) override {
@@ -64,7 +64,7 @@ class HeldWrenches final : public WrenchLaw {
   Wrenches held;
 };
 
-// Add a state and the wrenches that act there.
+// Appends a state and the wrenches that act there.
 void add(History& history, const Vehicle& vehicle, const State& state, const Wrenches& wrenches) {
   history.time.push_back(state.getTime());
   history.position.emplace_back();
@@ -84,7 +84,7 @@ State startOf(const Scene& scene, const Vehicle& vehicle) {
   return state;
 }
 
-// Makes steps end at the requested time and return one by one.
+// Configures the integrator to end steps at the requested time and to return after each of them.
 void prepare(SimTK::Integrator& integrator, const VariableStep& options) {
   integrator.setAccuracy(options.accuracy);
   integrator.setMaximumStepSize(options.longest);
@@ -92,7 +92,7 @@ void prepare(SimTK::Integrator& integrator, const VariableStep& options) {
   integrator.setReturnEveryInternalStep(true);
 }
 
-// Step to a time; `accepted` is called after each step that the integrator takes on the way.
+// Steps to a time; calls `accepted` after each step of the integrator.
 void stepTo(SimTK::Integrator& integrator, double time, const std::function<void()>& accepted = [] {}) {
   while (integrator.getTime() < time) {
     element::refuseIf<std::runtime_error>(integrator.stepTo(time) == SimTK::Integrator::EndOfSimulation,
@@ -163,7 +163,7 @@ History runExchange(const Scene& scene, Exchange& exchange, int delay) {
     exchange.send(n * scene.step, vehicle.poses(integrator.getState()));
     if (n >= delay) {
       law.held = exchange.receive((n - delay) * scene.step);
-      integrator.reinitialize(Stage::Dynamics, false);  // what it has computed with the wrenches before is of no use
+      integrator.reinitialize(Stage::Dynamics, false);  // discards what was computed with the last wrenches
     }
     add(history, vehicle, integrator.getState(), law.held);
   }

@@ -11,13 +11,13 @@
 
 namespace rubber_suspension::vehicle {
 
-/// The settings of every run.
+/// Settings of all runs.
 struct Scene {
   Kind kind = Kind::struts;
   VehicleParameters parameters;
   Track track;
   double duration = 0.0;         ///< [s]
-  std::int64_t step = 1000000;   ///< between records, and of the fixed steps [ns]
+  std::int64_t step = 1000000;   ///< interval of records and of fixed steps [ns]
   std::array<double, 3> kick{};  ///< speeds of half a bogie at the start [m/s, rad/s, m/s]
 
   std::int64_t steps() const;
@@ -27,22 +27,22 @@ struct Scene {
 /// Step control of an explicit integrator.
 struct VariableStep {
   double accuracy = 1e-8;   ///< Simbody's measure of the error of a step
-  double longest = 0.5e-3;  ///< [s]; the pose is linear between accepted steps, which no error measure sees
+  double longest = 0.5e-3;  ///< [s]; bounds the error of linear poses between steps, which is not in `accuracy`
 };
 
-/// The counts of an integrator.
+/// Numbers of steps of an integrator.
 struct StepCount {
   int accepted = 0;
   int taken_back = 0;  ///< rejected trial steps
 };
 
-/// Runge-Kutta-Merson with variable steps: wrenches of trial steps, the components' memory advances with accepted ones.
-/// No delay: the reference for the loop. Throws std::runtime_error where the integrator gives up, and where a rotation
-/// goes beyond the end of a component's measure.
+/// Runs Runge-Kutta-Merson with variable steps. Trial steps do not change the memory of the components; accepted steps
+/// advance it. There is no delay, so this is the reference for the loop. Throws std::runtime_error if the integrator
+/// cannot continue or a rotation is beyond the range of a component's measure.
 History runVariableStep(const Scene& scene, const Bushes& components, const VariableStep& options,
                         StepCount* count = nullptr);
 
-/// Exchanges poses for wrenches, one of each component; several may be in transit.
+/// Exchanges poses for wrenches, one of each component; several exchanges may be in transit.
 class Exchange {
  public:
   virtual ~Exchange() = default;
@@ -50,11 +50,11 @@ class Exchange {
   /// Sends the poses at a stamp [ns].
   virtual void send(std::int64_t stamp, const Poses& poses) = 0;
 
-  /// Waits for the wrenches that answer the poses sent at a stamp. Throws std::runtime_error where none come.
+  /// Waits for the wrenches that answer the poses sent at a stamp. Throws std::runtime_error if none arrive.
   virtual Wrenches receive(std::int64_t stamp) = 0;
 };
 
-/// The library in the same process, by the streams that the node feeds: the same numbers to the last bit.
+/// Computes the wrenches in the same process by the streams that the node uses: the same numbers, bit by bit.
 class LibraryExchange final : public Exchange {
  public:
   /// The components must outlive this object.
@@ -68,12 +68,12 @@ class LibraryExchange final : public Exchange {
   std::deque<std::pair<std::int64_t, Wrenches>> answers_;
 };
 
-/// A loop with a partner that answers poses with wrenches at fixed steps. The wrenches of step n - delay act, constant,
-/// from step n to step n + 1: they are late by (delay + 1/2) steps in the mean. With delay 0 each step waits for its
-/// answer; with 1 the partner computes while the vehicle does. The history holds the wrenches that act.
+/// Simulates a loop with a partner that answers poses with wrenches at fixed steps. From step n to step n + 1 the
+/// wrenches of step n - delay act, constant, with a mean delay of (delay + 1/2) steps. With delay 0 each step waits for
+/// its answer; with 1 partner and vehicle compute at the same time. The history contains the wrenches that act.
 History runExchange(const Scene& scene, Exchange& exchange, int delay);
 
-/// The mean delay of wrenches in such a loop [s].
+/// Returns the mean delay of wrenches in such a loop [s].
 inline double loopDelay(double step, int delay) { return (delay + 0.5) * step; }
 
 }  // namespace rubber_suspension::vehicle

@@ -14,10 +14,10 @@ class Track {
   /// A level track at height 0.
   Track() = default;
 
-  /// From the displacement [m] of a log. Throws LogError as checkLog does, and for less than four samples.
+  /// Interpolates the displacement [m] of a log. Throws LogError as checkLog does, and for fewer than four samples.
   explicit Track(const log::Log& log);
 
-  /// Height at a time from the start of the log [s], [m].
+  /// Returns the height [m] at a time [s] from the start of the log.
   double height(double time) const;
 
   double duration() const { return duration_; }  ///< [s]
@@ -25,7 +25,7 @@ class Track {
  private:
   struct Spline;
 
-  std::shared_ptr<const Spline> spline_;  // nothing for a level track
+  std::shared_ptr<const Spline> spline_;  // null for a level track
   double duration_ = 0.0;
   double first_ = 0.0;
   double last_ = 0.0;

@@ -7,7 +7,7 @@ namespace {
 using SimTK::MobilizedBody;
 using SimTK::Vec3;
 
-// Frames of a slider along z and of a pin about -y: those of Simbody move along their x and about their z.
+// Frames of a slider along z and of a pin about -y: joints of Simbody slide along x and turn about z of their frames.
 SimTK::Transform alongZ() { return {SimTK::Rotation(-SimTK::Pi / 2, SimTK::YAxis)}; }
 SimTK::Transform aboutMinusY() { return {SimTK::Rotation(SimTK::Pi / 2, SimTK::XAxis)}; }
 
@@ -19,7 +19,7 @@ Vec3 toSimbody(const Eigen::Vector3d& vector) { return {vector[0], vector[1], ve
 
 }  // namespace
 
-// The bridge to Simbody, which asks for forces at every stage of every step that it tries.
+// Computes the forces for Simbody, which requests them at every stage of every trial step.
 class Vehicle::BushForces final : public SimTK::Force::Custom::Implementation {
  public:
   BushForces(const Vehicle& vehicle, WrenchLaw& law) : vehicle_(vehicle), law_(law) {}
@@ -66,7 +66,7 @@ void Vehicle::makeHalfBogie(const VehicleParameters& parameters) {
                                  aboutMinusY());
   const MobilizedBody::Slider body(matter_.Ground(), alongZ(), solid(parameters.body_mass, Vec3(parameters.body_mass)),
                                    alongZ());
-  const Vec3 above(0.0, 0.0, 1.0);  // [m], for the damper to have a direction
+  const Vec3 above(0.0, 0.0, 1.0);  // [m], gives the damper a direction
   const SimTK::Force::TwoPointLinearDamper damper(forces_, frame, Vec3(0.0), body, above, parameters.secondary_damping);
   const SimTK::MobilizedBodyIndex frame_index = frame.getMobilizedBodyIndex();
   mounts_ = {{SimTK::GroundIndex, frame_index, 0.0},
@@ -99,7 +99,7 @@ Poses Vehicle::poses(const SimTK::State& state) const {
   return poses;
 }
 
-// A force on the ground moves nothing.
+// A force on the ground has no effect.
 void Vehicle::apply(const SimTK::State& state, const Mount& mount, const component::Reactions& reactions,
                     SimTK::Vector_<SimTK::SpatialVec>& body_forces) const {
   const auto& a = matter_.getMobilizedBody(mount.a);

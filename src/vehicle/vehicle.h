@@ -1,5 +1,5 @@
-// Vehicles on rubber components as Simbody models: half a bogie, and a body on four bushes. Simbody's headers take long
-// to compile: include this file only to step the model itself.
+// Vehicles on rubber components as Simbody models: half a bogie, and a body on four bushes. Include this file only to
+// step the model itself, because Simbody's headers are slow to compile.
 #pragma once
 
 #include <Simbody.h>
@@ -11,19 +11,19 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Source of the wrenches of a vehicle's components.
+/// Computes the wrenches of the components of a vehicle.
 class WrenchLaw {
  public:
   virtual ~WrenchLaw() = default;
 
-  /// The wrench of a component at a time [s] and pose. Called for trial steps, which may be rejected.
+  /// Returns the wrench of a component at a time [s] and pose, also for trial steps, which may be rejected.
   virtual component::Wrench wrench(std::size_t bush, double time, const Eigen::Isometry3d& pose) = 0;
 };
 
-/// Motion about the equilibrium, so without gravity and preload. Axes as in REP 103: x forward, z up. The bodies'
-/// frames lie at their centres of gravity, A of a component on the track in that frame as well: where the bush sits is
-/// up to its own frames. The coordinates of half a bogie are the height of the frame [m], its pitch [rad] (positive
-/// lifts the front) and the height of the body [m].
+/// Simulates motion about the equilibrium, without gravity and preload. Axes as in REP 103: x forward, z up. The frames
+/// of the bodies are at their centres of gravity and coincide at rest with that of the track, so that the position of a
+/// component depends on its own frames only. The coordinates of half a bogie are the height of the frame [m], its pitch
+/// [rad] (positive lifts the front) and the height of the body [m].
 class Vehicle {
  public:
   /// Track and law must outlive the vehicle.
@@ -33,7 +33,7 @@ class Vehicle {
 
   const SimTK::MultibodySystem& system() const { return system_; }
 
-  /// At rest at time 0.
+  /// Returns the state at rest at time 0.
   SimTK::State restState() const { return system_.getDefaultState(); }
 
   Poses poses(const SimTK::State& state) const;
@@ -42,9 +42,9 @@ class Vehicle {
   class BushForces;
 
   struct Mount {
-    SimTK::MobilizedBodyIndex a;  // the ground, raised by the track, where the component stands on it
+    SimTK::MobilizedBodyIndex a;  // a body, or the ground raised by the track
     SimTK::MobilizedBodyIndex b;
-    double delay = 0.0;  // of the track below [s]
+    double delay = 0.0;  // of the track below the component [s]
   };
 
   void makeBody(const VehicleParameters& parameters);
