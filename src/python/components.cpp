@@ -19,7 +19,7 @@ namespace {
 
 using io::ComponentDescription;
 
-// A component in motion: what keeps its own history.
+// A component in motion, with its history.
 class Motion {
  public:
   Motion(std::shared_ptr<const component::Component> component, double displacement)
@@ -60,7 +60,7 @@ class Motion {
   element::ComponentForce force_{};
 };
 
-// At rest at the first displacement, then a step to each of the others.
+// Starts at rest at the first displacement and steps to each of the others.
 Array simulate(const ComponentDescription& description, const py::object& displacement, double dt) {
   Motion::requirePositive(dt);
   const std::vector<double> path = toVector(displacement, "displacement");
@@ -88,7 +88,7 @@ Array replay(const ComponentDescription& description, const log::Log& log) {
   return toArray(force);
 }
 
-// At one frequency, or an array of the same shape for an array.
+// Returns a number for one frequency, or an array of the same shape for an array.
 py::object stiffness(const ComponentDescription& description,
                      const py::array_t<double, py::array::forcecast>& frequency,
                      const std::optional<double>& temperature) {
@@ -105,7 +105,7 @@ py::object stiffness(const ComponentDescription& description,
   return py::vectorize([&](double f) { return *at(f); })(frequency);
 }
 
-// Stiffness and loss angle of the settled loops at pairs of frequency and amplitude.
+// Returns stiffness and loss angle of the settled loops at pairs of frequency and amplitude.
 py::tuple characteristics(const ComponentDescription& description, const py::object& frequency,
                           const py::object& amplitude) {
   const std::vector<double> frequencies = toVector(frequency, "frequency");
@@ -141,7 +141,7 @@ double toShare(const py::handle& value) {
   return tolerance;
 }
 
-// One for all numbers, or a dict by key.
+// Converts one tolerance for all numbers, or a dict by key.
 estimation::SheetTolerance toTolerance(const py::handle& value) {
   if (!py::isinstance<py::dict>(value)) {
     return {toShare(value)};
@@ -173,14 +173,14 @@ ComponentDescription estimate(const std::string& model, const std::string& name,
                       parameter == nullptr ? 0.0 : toNumber(value, *parameter));  // unknown keys are refused below
   }
   ComponentDescription description(name, *found, std::move(specification));
-  io::toYaml({description});  // throws for a name that no file can hold
+  io::toYaml({description});  // throws for a name that no file can contain
   return description;
 }
 
 ComponentDescription ofElements(const py::sequence& elements, const std::string& name) {
   ComponentDescription description(name, toElements(elements));
-  description.makeComponent();  // throws where they do not go together
-  io::toYaml({description});    // and for a name that no file can hold
+  description.makeComponent();  // throws if the elements are not compatible
+  io::toYaml({description});    // throws for a name that no file can contain
   return description;
 }
 

@@ -12,7 +12,7 @@
 namespace rubber_suspension::python {
 namespace {
 
-// As stamps are kept: within 285 years.
+// Limit of the stamps, which are 64-bit integers [ns]: 285 years.
 constexpr double kLongestTime = 9.0e9;  // [s]
 
 log::Log readLog(const std::string& path, const std::vector<std::string>& columns, const std::string& unit,
