@@ -1,4 +1,4 @@
-// A log that is read block by block, so that its length does not matter.
+// Logs that are read block by block, so that they need not fit into memory.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace rubber_suspension::log {
 
-/// Samples that are handed out at once, at most.
+/// Largest number of samples that LogSource::read() passes on at once.
 constexpr std::size_t kLogBlock = 65536;
 
-/// A log that is read as often as asked for, block by block.
+/// A log that can be read repeatedly, block by block.
 class LogSource {
  public:
-  /// Samples of a log that follow one another, the first of them at this place in the log; false ends the reading.
+  /// Receives consecutive samples of a log and the place of the first in the log; returns false to end the reading.
   using Take = std::function<bool(const Log& block, std::size_t first)>;
 
   LogSource() = default;
@@ -25,27 +25,27 @@ class LogSource {
   LogSource(const LogSource&) = delete;
   LogSource& operator=(const LogSource&) = delete;
 
-  /// As that of a Log.
+  /// Returns the name of the log, as Log::name.
   virtual std::string name() const = 0;
 
-  /// Passes the samples on from the first one, in SI units and checked as by checkLog(); returns the notes, complete if
-  /// all was read. Several threads may read at once. Throws LogError, and what `take` throws.
+  /// Passes all samples to `take`, in SI units and checked as by checkLog(). Returns the notes, which are complete if
+  /// all samples were read. Several threads may read at once. Throws LogError, and what `take` throws.
   virtual std::vector<std::string> read(const Take& take) const = 0;
 };
 
 using LogSources = std::vector<std::shared_ptr<const LogSource>>;
 
-/// A log in memory, which has to outlive the source.
+/// Returns a source of a log in memory, which has to outlive the source.
 std::shared_ptr<const LogSource> sourceOf(const Log& log);
 
-/// A log in memory that belongs to the source.
+/// Returns a source that owns a log in memory.
 std::shared_ptr<const LogSource> sourceOf(Log&& log);
 
-/// A log by its file: text and HDF5 of more than four blocks are read again each time and never kept; anything else is
-/// read once, as by readLog(). Throws LogError.
+/// Opens the log of a file. Text, HDF5 and RPC III of more than four blocks are read again each time and never kept in
+/// memory; others are read once, as by readLog(). Throws LogError.
 std::shared_ptr<const LogSource> openLog(const std::string& path, const LogFormat& format = {});
 
-/// Opens all segments, if the format asks for them.
+/// Opens the log of a file, or all its segments if the format requests them. Throws LogError.
 LogSources openLogs(const std::string& path, const LogFormat& format = {});
 
 }  // namespace rubber_suspension::log
