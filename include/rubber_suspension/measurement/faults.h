@@ -13,7 +13,7 @@ namespace rubber_suspension::measurement {
 /// True for each sample that counts.
 using Mask = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
-/// The samples of a record that count.
+/// Returns the samples of a record that count.
 Mask maskOf(const log::Record& record);
 
 /// The faults of single samples of a log.
@@ -22,36 +22,37 @@ struct Faults {
   Mask force;                        ///< false where the force was not measured
   std::vector<RigFinding> findings;  ///< spikes, held_values, saturation
 
-  /// Samples that a fit may use.
+  /// Returns the samples that a fit may use.
   Mask usable() const { return displacement && force; }
 };
 
 /// Searches both channels, sampled evenly or nearly so. All limits are relative to the channel's own scatter about a
 /// prediction from its neighbours, to its range, or to the other channel:
-/// - a spike stands out of both neighbourhoods for one or two samples, in one channel only; the speed does not jump
-///   there, so that it is no peak of a mass, and the force has no such corner where the same motion recurs, as at a
-///   bump stop (after Hampel's identifier, Davies and Gather, JASA 88, 1993);
-/// - a held value repeats bit by bit while the other channel moves on, and ends in a jump that the other does not have;
-/// - a saturated channel piles up at its extreme value while the other one goes further out and returns, or as a force
-///   that leaves this value where the displacement does not turn, which friction at its limit does.
+/// - a spike exceeds the neighbours on both sides for one or two samples, in one channel only. It is no peak of a mass,
+///   at which the speed jumps, and no corner of the force that recurs with the same motion, as at a bump stop (after
+///   Hampel's identifier, Davies and Gather, JASA 88, 1993);
+/// - a held value repeats bit by bit while the other channel moves, and ends in a jump that the other does not have, or
+///   is a force whose noise stops;
+/// - a saturated channel has many samples at its extreme value while the other goes further out and returns; or it is a
+///   force whose noise stops there, or which leaves this value while the displacement does not turn, unlike friction.
 Faults findFaults(const std::string& name, const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-/// Finds the faults of a log as read, before makeRecord(), by samples of the log.
+/// Finds the faults of a log as read, before makeRecord(); masks have one entry per sample of the log.
 Faults findFaults(const log::Log& log);
 
-/// The log with both channels bridged by straight lines where they were not measured: makeRecord() of it neither
-/// smooths a spike into its surroundings nor counts one as noise.
+/// Returns the log with straight lines where a channel was not measured, so that makeRecord() neither smooths a spike
+/// into its surroundings nor counts it as noise.
 log::Log repaired(const log::Log& log, const Faults& faults);
 
-/// The mask of a log for the record that was made of it, whose samples differ where its time base was uneven: false
-/// where one of the two samples about it does not count.
+/// Converts the mask of a log to that of its record, whose samples differ if its time base was uneven: false where one
+/// of the two neighbouring samples of the log does not count.
 Mask resampled(const Mask& mask, const log::Log& log, const log::Record& record);
 
-/// Weights of Huber's estimator for residuals in units of their standard deviation: 1 up to 1.345, for 95 % efficiency
-/// under normal noise, falling from there (Huber, Ann. Math. Stat. 35, 1964).
+/// Returns the weights of Huber's estimator for residuals in units of their standard deviation: 1 up to 1.345, for 95 %
+/// efficiency under normal noise, 1.345 over the magnitude beyond (Huber, Ann. Math. Stat. 35, 1964).
 Eigen::VectorXd huberWeights(const Eigen::VectorXd& normalised);
 
-/// Standard deviation by the median magnitude of the samples that count.
+/// Returns the standard deviation of normal noise with the median magnitude of the samples that count.
 double robustDeviation(const Eigen::VectorXd& values, const Mask& mask);
 
 }  // namespace rubber_suspension::measurement

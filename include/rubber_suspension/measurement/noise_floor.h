@@ -1,4 +1,4 @@
-// The gap of noise alone, from the part of the force that the motion does not cause. Throws nothing.
+// Noise floor of a record, from the part of the force that the motion does not cause. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,17 +11,17 @@
 namespace rubber_suspension::measurement {
 
 /// Returns the standard deviation of the noise [N] in the residual of the best model on a record, without errors of the
-/// rig: by repeats of the same cycle, else by the spectrum outside the band of the motion, else at standstill. At most
-/// the residual of a model; at least the resolution of the force. `slow_noise`: most that is slower than the motion and
-/// still noise [N].
+/// rig: from repeats of the same cycle, else from the spectrum outside the band of the motion, else at standstill. It
+/// is at most the RMS of the residual and at least the resolution of the force. `slow_noise`: limit of the noise that
+/// is slower than the motion [N].
 double noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask,
                   double slow_noise = std::numeric_limits<double>::infinity());
 
-/// Logarithm of the Bayes factor of two explanations of what such a residual has beyond white noise: stationary noise,
-/// or an error of the model, whose power follows that of the force from window to window. 0 without such a part.
+/// Returns the logarithm of the Bayes factor of two explanations of the residual beyond white noise: stationary noise,
+/// against an error of the model, whose power follows that of the force from window to window. 0 if all is white.
 double evidenceOfNoise(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
-/// Returns the noise floor of a model's residual on a record, as a gap [-], without errors of the rig and samples that
+/// Returns the noise floor for a model's residual on a record, as a gap [-], without errors of the rig and samples that
 /// do not count.
 double relativeFloor(const gap::PreparedRecord& record, const Eigen::VectorXd& residual);
 

@@ -32,12 +32,12 @@ inline constexpr const char* kDrift = "drift";
 inline constexpr const char* kTooShort = "too_short";
 }  // namespace finding
 
-/// One thing that a rig did to one log.
+/// One error of a rig in one log.
 struct RigFinding {
   std::string log;
   std::string finding;                             ///< one of the names above
-  double value = 0.0;                              ///< how much, in `unit`
-  std::array<double, 2> interval_95 = {0.0, 0.0};  ///< of the value; both ends equal where it was counted
+  double value = 0.0;                              ///< size, in `unit`
+  std::array<double, 2> interval_95 = {0.0, 0.0};  ///< of the value; both ends equal it if it was counted
   std::string unit;                                ///< "1" for shares, factors and counts
   bool fatal = false;             ///< a wrong sign, unit, column or component: verdict check_bench, no effect is named
   bool beyond_tolerance = false;  ///< more than 2 standard deviations of what the rig's tolerances allow
@@ -45,7 +45,7 @@ struct RigFinding {
   double frequency = 0.0;         ///< of a line [Hz]; 0 for others
 };
 
-/// True if one of the findings is fatal.
+/// Returns true if one of the findings is fatal.
 bool anyFatal(const std::vector<RigFinding>& findings);
 
 }  // namespace rubber_suspension::measurement

@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::response {
 
-/// The properties of a component that one closed cycle shows.
+/// Properties of a component in one closed cycle.
 struct Characteristics {
   double stiffness = 0.0;   ///< K = (F_max - F_min)/(z_max - z_min) [N/m], Polach (IAVSD 2015) Eq. 1
   double loss_angle = 0.0;  ///< arcsin(W/(pi/4 (F_max - F_min)(z_max - z_min))) [rad], Eq. 2

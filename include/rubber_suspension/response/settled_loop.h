@@ -15,7 +15,7 @@ struct LoopOptions {
   /// cycles as a geometric series, is below this part of the range of the force.
   double tolerance = 1e-9;
   int maximum_cycles = 20000;
-  /// The sine swings about this displacement [m]: what a preload does to a nonlinear component.
+  /// Mean of the sine [m], for the preload of a nonlinear component.
   double mean = 0.0;
 };
 
@@ -24,23 +24,24 @@ struct SettledLoop {
   double frequency = 0.0;            ///< [Hz]
   double amplitude = 0.0;            ///< [m]
   std::vector<double> displacement;  ///< [m]
-  std::vector<double> force;         ///< [N]; the linear parts without that of the mean displacement
-  int cycles = 0;                    ///< simulated until settled; 0 where all parts are in closed form
+  std::vector<double> force;         ///< [N]; of linear laws without the force of the mean displacement
+  int cycles = 0;                    ///< simulated cycles; 0 if all laws are in closed form
   double remaining = 0.0;            ///< change of the force still to come, over its range [-]
   bool settled = false;              ///< remaining is below the tolerance
 
-  /// Eqs. 1 and 2 on the loop as a function of phase: peaks interpolated, and the area by the trapezoidal rule in
+  /// Returns the characteristics by Eqs. 1 and 2, with interpolated peaks and the area by the trapezoidal rule in
   /// phase, which for smooth branches converges with the fourth power of the step. A loss below rounding is 0.
   Characteristics characteristics() const;
 };
 
 /// Simulates a component under a sine of this frequency [Hz] and amplitude [m] until it settles.
 ///
-/// Where all elements act in parallel, the linear ones enter by their K*, free of discretisation, Berg friction starts
-/// on its settled loop, and only the others run until they repeat. With effects in series (compliance, free play,
-/// delay, softening, heating) the whole component is simulated, displacement linear between samples: a dashpot then
-/// lags by half a sample. A loop that does not settle within maximum_cycles (self-heating may take minutes) is returned
-/// with settled = false. Throws std::invalid_argument for a frequency, an amplitude or options that make no loop.
+/// If all elements act in parallel, the linear ones are evaluated by their K* without discretisation, and the others
+/// are simulated until they repeat; Berg friction starts on its settled loop. With effects in series (compliance, free
+/// play, delay, softening, heating) the whole component is simulated with displacement linear between samples, so that
+/// a dashpot lags by half a sample. A loop that does not settle within maximum_cycles (self-heating may take minutes)
+/// is returned with settled = false. Throws std::invalid_argument for a frequency, an amplitude or options out of
+/// range.
 SettledLoop simulateSettledLoop(const component::Component& component, double frequency, double amplitude,
                                 const LoopOptions& options = {});
 
