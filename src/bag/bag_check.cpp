@@ -36,7 +36,7 @@ enum Operation : std::uint8_t {
 using Fields = std::map<std::string, std::string>;
 
 template <class Number>
-Number numberAt(const char* bytes) {  // little endian, as every machine is that ROS runs on
+Number numberAt(const char* bytes) {  // little endian, as on every machine that ROS runs on
   Number number;
   std::memcpy(&number, bytes, sizeof(number));
   return number;
@@ -94,7 +94,7 @@ class BagChecker {
 
   std::uint32_t takeNumber() { return numberAt<std::uint32_t>(take(4).data()); }
 
-  // name=value, each after its length.
+  // A header is a sequence of name=value, each preceded by its length.
   Fields fieldsOf(const std::string& header) const {
     Fields fields;
     for (std::size_t at = 0; at < header.size();) {
@@ -188,7 +188,7 @@ class BagChecker {
     }
   }
 
-  // The content of a chunk, of chunk_size_ bytes.
+  // Returns the content of a chunk, of chunk_size_ bytes.
   std::string decompress(const Fields& fields, const std::string& data) const {
     const auto compression = fields.find("compression");
     const std::string kind = compression == fields.end() ? "" : compression->second;
@@ -220,7 +220,7 @@ class BagChecker {
     return content;
   }
 
-  // The bytes that follow a length at this place, which moves behind them.
+  // Returns the bytes that follow a length at `at`, and moves `at` behind them.
   std::string takePart(const std::string& data, std::size_t& at) const {
     const std::size_t left = data.size() - at;
     const std::uint32_t length = left < 4 ? 0 : numberAt<std::uint32_t>(&data[at]);
@@ -260,12 +260,12 @@ class BagChecker {
   std::ifstream file_;
   std::uint64_t size_ = 0;
   std::uint64_t position_ = 0;
-  std::uint64_t index_ = 0;          // where the bag says that its index begins
+  std::uint64_t index_ = 0;          // where the bag states that its index begins
   std::set<std::uint64_t> records_;  // where records begin
   std::set<std::uint64_t> chunks_;
   std::set<std::uint32_t> connections_;
   std::set<std::uint32_t> used_connections_;
-  std::uint32_t chunk_size_ = 0;      // of the chunk before, uncompressed
+  std::uint32_t chunk_size_ = 0;      // of the last chunk, uncompressed
   std::set<std::uint32_t> messages_;  // where its messages begin
 };
 

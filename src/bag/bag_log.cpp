@@ -49,7 +49,7 @@ std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& 
   return topics;
 }
 
-// The only topic of that end that fits. What precedes the end is common to all topics of the component.
+// Returns the only topic that ends as wanted, of the component if that is named.
 std::string topicOf(const std::string& wanted, const rosbag::Bag& bag, const std::string& path,
                     const std::string& component) {
   const std::string end = component.empty() ? wanted : "/" + component + wanted;
@@ -83,7 +83,7 @@ struct Times {
   std::int64_t receipt;
 };
 
-// Hands out the messages of a topic with their times.
+// Passes the messages of a topic to `take` with their times.
 template <class Message, class Take>
 void readMessages(const rosbag::Bag& bag, const std::string& path, const std::string& topic, Take take) {
   rosbag::View view(bag, rosbag::TopicQuery(topic));
@@ -125,7 +125,7 @@ void checkIncreasing(const Series& series, const std::string& path, const std::s
   }
 }
 
-// A series on a topic or in a field of it; an empty one is not there.
+// A series of a topic or of a field of it; empty if the bag has none.
 struct Channel {
   log::Quantity quantity;
   Series series;
@@ -133,7 +133,7 @@ struct Channel {
   std::string unit;  // empty: that of the format, or SI
 };
 
-// The options that read messages whose stamps are of no use, as far as they will read these.
+// Suggests the options that read messages with unusable stamps, among those that would accept these messages.
 std::string cureOf(const Series& series, bool may_have_rate) {
   std::vector<std::int64_t> steps;
   for (std::size_t i = 1; i < series.receipt.size(); ++i) {
@@ -163,9 +163,9 @@ void keepOnly(Series& series, const std::vector<std::size_t>& places) {
   series = std::move(kept);
 }
 
-// Messages by their stamps: one that another has overtaken has its place, one without a stamp amid others has none.
+// Sorts messages by their stamps, and removes those with the stamp 0 among others.
 void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate, std::vector<std::string>& notes) {
-  constexpr std::int64_t kReplay = 1000000000;  // back by more is a new replay, as in the node [ns]
+  constexpr std::int64_t kReplay = 1000000000;  // [ns]; a larger step back is a new replay, as in the node
   Series& series = channel.series;
   const std::size_t all = series.stamp.size();
   if (all > 1 && std::all_of(series.stamp.begin(), series.stamp.end(), [](std::int64_t stamp) { return stamp == 0; })) {
@@ -204,7 +204,7 @@ void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate
   checkIncreasing(series, path, channel.topic, cureOf(series, may_have_rate));
 }
 
-// Stamps as the format asks for them.
+// Replaces or sorts the stamps as the format requests.
 void setStamps(std::vector<Channel>& channels, const std::string& path, const log::LogFormat& format,
                std::vector<std::string>& notes) {
   const Channel& displacement = channels[0];
@@ -233,8 +233,8 @@ void setStamps(std::vector<Channel>& channels, const std::string& path, const lo
   }
 }
 
-// As in the node, each temperature holds from its stamp to that of the next; the node drops one that is not finite.
-// Returns one for each of these stamps.
+// Returns the temperature at each of these stamps. As in the node, it holds from its stamp to the next one, and one
+// that is not finite is dropped.
 Series heldAt(const std::vector<std::int64_t>& stamps, const Channel& measured, std::vector<std::string>& notes) {
   std::vector<std::size_t> finite;
   for (std::size_t i = 0; i < measured.series.value.size(); ++i) {
@@ -264,8 +264,8 @@ std::vector<Number> part(const std::vector<Value>& values, std::size_t first, st
   return {begin, begin + static_cast<std::ptrdiff_t>(count)};
 }
 
-// Each channel with stamps is a group of a time and values, one without belongs to the displacement. Columns and their
-// units, clocks and gaps are then those of any other file.
+// Reads the channels as columns of a table, so that units, clocks and gaps are treated as in any other file. A channel
+// with stamps is a group with its own time; one without belongs to the group of the displacement.
 log::Log logOf(const std::string& path, std::vector<Channel> channels, log::LogFormat format) {
   std::vector<std::string> notes;
   for (const double value : channels[0].series.value) {
@@ -293,7 +293,7 @@ log::Log logOf(const std::string& path, std::vector<Channel> channels, log::LogF
     series.resize(table.names.size(), &channel.series);
   }
   format.of[static_cast<std::size_t>(log::Quantity::time)].column = format.rate ? "" : channels[0].topic + ".stamp";
-  format.bridge = std::numeric_limits<double>::infinity();  // stamps tell of every gap
+  format.bridge = std::numeric_limits<double>::infinity();  // the stamps show every gap
   table.file = {[&](std::size_t place, const std::string&) { return series[place]->value.size(); },
                 [&](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
                   return part<double>(series[place]->value, first, count);
@@ -337,7 +337,7 @@ void append(SixSeries& series, const Times& times, const std::array<double, comp
   }
 }
 
-// Coordinates of poses, and the quaternions as they are.
+// Coordinates of poses, and their unchanged quaternions.
 struct PoseSeries {
   SixSeries coordinate;
   std::vector<log::PoseLog::Quaternion> quaternion;
@@ -374,7 +374,7 @@ SixSeries readWrenchTopic(const rosbag::Bag& bag, const std::string& path, const
   return wrench;
 }
 
-// Matches each direction as a log of its own by the stamps, so that all have forces at the same samples.
+// Matches each direction by its stamps as a log of its own; all have forces at the same samples.
 log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, const std::string& component,
                            component::RotationMeasure measure) {
   const std::string topic = topicOf(kPose, bag, path, component);
@@ -404,7 +404,7 @@ log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, cons
   return poses;
 }
 
-// The fields that the user names.
+// Reads the fields that the user names.
 log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const log::LogFormat& format) {
   const auto field = [&](log::Quantity quantity) { return format.of[static_cast<std::size_t>(quantity)].column; };
   if (field(log::Quantity::displacement).empty() || !field(log::Quantity::time).empty()) {
@@ -424,7 +424,7 @@ bool namesColumns(const log::LogFormat& format) {
   return std::any_of(format.of.begin(), format.of.end(), [](const auto& channel) { return !channel.column.empty(); });
 }
 
-// Result of `read` for the bag.
+// Returns the result of `read` for the bag.
 template <class Read>
 auto ofBag(const std::string& path, Read read) {
   try {
@@ -434,7 +434,7 @@ auto ofBag(const std::string& path, Read read) {
     return read(bag);
   } catch (const log::LogError&) {
     throw;
-  } catch (const std::exception& error) {  // what rosbag throws on a damaged file is of many types
+  } catch (const std::exception& error) {  // rosbag throws many types on a damaged file
     throw log::LogError(fmt::format("{}: no readable bag: {}", path, error.what()));
   }
 }

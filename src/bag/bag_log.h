@@ -1,5 +1,5 @@
-// Logs in ROS bags: the node's topics as a log, and a log as the node's topics. Without ROS's own headers, which take
-// long to compile: see bag/bag_writer.h.
+// Reads the node's topics in a ROS bag as a log, and writes a log as these topics. bag/bag_writer.h includes the
+// headers of ROS, which take long to compile; this file does not.
 #pragma once
 
 #include <memory>
@@ -12,35 +12,36 @@
 
 namespace rubber_suspension::bag {
 
-/// Read displacement and, if recorded, measured force and temperature of one component from a bag: from topics that end
-/// in <component>/displacement, <component>/measured_force and <component>/temperature; with an empty name the bag's
-/// only component. The stamps of the displacement are those of the log. Forces are matched by stamp: where one is
-/// missing, or comes at a lower rate, `counts` is 0; those of a clock of their own, which may drift against that of the
-/// displacement, are interpolated linearly, with a note. Messages are taken by their stamps, with a note where one
-/// overtook another. Stamps that do not increase are refused with the option that reads them: the format's rate in
-/// their place, or the time of receipt. Where the format names columns, they are fields of messages of any type
-/// (bag/message_field.h), in SI units or those of the format, and displacement is one of them. Throws LogError that
-/// names bag, topic, message and reason.
+/// Reads displacement and, if recorded, measured force and temperature of one component from topics that end in
+/// <component>/displacement, <component>/measured_force and <component>/temperature; an empty name selects the bag's
+/// only component. The log has the stamps of the displacement. Forces are matched by stamp: `counts` is 0 where one is
+/// missing, or comes at a lower rate; those of a clock of their own, which may drift against that of the displacement,
+/// are interpolated linearly, with a note. Messages are sorted by stamp, with a note if one overtook another. If the
+/// format names columns, they are fields of messages of any type (bag/message_field.h), in SI units or those of the
+/// format, and displacement is one of them. Throws LogError that names bag, topic, message and reason; for stamps that
+/// do not increase, also the option that reads them: a sampling rate, or the times of receipt.
 log::Log readBagLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
 
-/// Read the poses of a component of six directions and, if recorded, measured wrenches and temperature: from topics
-/// that end in <component>/pose, <component>/measured_wrench and <component>/temperature, matched and refused as those
-/// of readBagLog(). The rotation is in this measure. Throws LogError, also for a quaternion that the node would drop.
+/// Reads the poses of a component of six directions and, if recorded, measured wrenches and temperature from topics
+/// that end in <component>/pose, <component>/measured_wrench and <component>/temperature, matched as by readBagLog().
+/// `measure`: that of the rotations. Throws LogError as readBagLog(), for poses or wrenches whose stamps do not
+/// increase, and for a quaternion that the node would drop.
 log::PoseLog readBagPoses(const std::string& path, const std::string& component, component::RotationMeasure measure);
 
-/// True for a file that ends in .bag or begins as a bag does.
+/// Returns true for a file that ends in .bag or begins as a bag does.
 bool isBagPath(const std::string& path);
 
-/// A log of any kind: a bag, else as log::readLog().
+/// Reads a log of any kind: a bag, else as log::readLog().
 log::Log readAnyLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
 
-/// The logs of a file of any kind: that of a bag, else as log::readLogs().
+/// Reads the logs of a file of any kind: the one of a bag, else as log::readLogs().
 std::vector<log::Log> readAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format);
 
 /// Opens logs to be read block by block, as log::openLogs(); a bag is kept in memory.
 log::LogSources openAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format);
 
-/// Write displacement and, if the log has them, measured force and temperature, where that changes. Throws LogError.
+/// Writes displacement and, if the log has them, measured forces, and the temperature where it changes. Throws
+/// LogError.
 void writeBagLog(const std::string& path, const std::string& component, const log::Log& log);
 
 }  // namespace rubber_suspension::bag

@@ -18,7 +18,7 @@
 namespace rubber_suspension::bag {
 namespace {
 
-// A bag knows the place where it could not go on, and not why.
+// rosbag reports the place of a failure, errno its reason.
 [[noreturn]] void failToWrite(const std::string& path, const rosbag::BagException& error) {
   const std::string why = errno == ENOSPC || errno == EDQUOT || errno == EFBIG ? std::strerror(errno) : error.what();
   throw log::LogError(fmt::format("{}: cannot be written: {}", path, why));
@@ -38,13 +38,13 @@ BagWriter::BagWriter(const std::string& path, const std::string& component)
 
 BagWriter::~BagWriter() {
   try {
-    bag_->close();  // what was not closed by close() is not kept
+    bag_->close();  // without close(), errors do not matter: the file is removed
   } catch (const std::exception&) {
     abandon();
   }
 }
 
-// On a full disk a bag's own destructor would close it again, and throw.
+// Leaks the bag, because on a full disk its destructor would close it again, and throw.
 void BagWriter::abandon() { static_cast<void>(bag_.release()); }
 
 template <class Message>

@@ -13,8 +13,8 @@
 
 namespace rubber_suspension::bag {
 
-/// Writes a component's samples to a bag, each at the time of its own stamp. The bag is written beside and takes its
-/// name in close(), complete; without that call nothing is left. All calls throw LogError.
+/// Writes a component's samples to a bag, each at the time of its own stamp. The bag is written under a temporary name
+/// and renamed by close(); without close() it is removed. All calls throw LogError.
 class BagWriter {
  public:
   BagWriter(const std::string& path, const std::string& component);

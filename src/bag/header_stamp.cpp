@@ -1,4 +1,4 @@
-// Stamps of logs as a ROS header can hold them.
+// Conversion of the stamps of logs to those of ROS headers.
 #include "bag/header_stamp.h"
 
 #include <fmt/format.h>

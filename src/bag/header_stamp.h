@@ -1,4 +1,4 @@
-// Stamps of logs as a ROS header can hold them.
+// Conversion of the stamps of logs to those of ROS headers.
 #pragma once
 
 #include <ros/time.h>
@@ -9,11 +9,10 @@
 
 namespace rubber_suspension::bag {
 
-/// The time that shifts a log's stamps into those that a ROS header can hold (0 to 2^32 s); 0 where none is needed
-/// [ns].
+/// Returns the time [ns] that shifts a log's stamps into those of a ROS header (0 to 2^32 s); 0 if none is needed.
 std::int64_t headerShift(const log::Log& log);
 
-/// A stamp in [ns] as ROS time. Throws LogError where a header cannot hold it.
+/// Returns a stamp [ns] as ROS time. Throws LogError if a header cannot hold it.
 ros::Time toRosTime(std::int64_t stamp);
 
 }  // namespace rubber_suspension::bag

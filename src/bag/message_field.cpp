@@ -1,4 +1,4 @@
-// One number of every message on a topic. How messages are laid out: wiki.ros.org/ROS/Technical%20Overview and
+// Reads one number of every message on a topic. Layout of messages: wiki.ros.org/ROS/Technical%20Overview and
 // wiki.ros.org/msg, version 1.
 #include "bag/message_field.h"
 
@@ -37,7 +37,7 @@ std::size_t builtinSize(const std::string& type) {
   return found == sizes.end() ? 0 : found->second;
 }
 
-// The types of a bag's definition of a message, the first under "".
+// The types in a bag's definition of a message; that of the message itself is "".
 class Definition {
  public:
   explicit Definition(const std::string& text) {
@@ -59,7 +59,7 @@ class Definition {
 
   const MessageType& root() const { return types_.at(""); }
 
-  /// Returns nullptr for a builtin type. A type without its package is of that of the message, or Header.
+  /// Returns nullptr for a builtin type. The name of the package may be missing.
   const MessageType* find(const std::string& type) const {
     for (const auto& [name, fields] : types_) {
       if (!name.empty() && (name == type || name.substr(name.find('/') + 1) == type)) {
@@ -84,7 +84,7 @@ class Definition {
   std::map<std::string, MessageType> types_;
 };
 
-// A field, or an element of one, on the way to a number.
+// One step of the path to a number: a field, or an element of it.
 struct PathStep {
   std::string name;
   std::string element;  // number from 0, or a name; empty: no array
@@ -107,13 +107,13 @@ std::vector<PathStep> stepsOf(const std::string& text) {
   return steps;
 }
 
-// Goes through the bytes of one message.
+// Reads the bytes of one message by its definition.
 class MessageWalk {
  public:
   MessageWalk(const Definition& definition, const std::vector<std::uint8_t>& bytes)
       : definition_(definition), bytes_(bytes) {}
 
-  /// Returns nullopt if an array has no such element.
+  /// Returns nullopt if there is no number at this path.
   std::optional<double> number(const std::vector<PathStep>& steps) {
     at_ = 0;
     return within(definition_.root(), steps, 0);
@@ -195,7 +195,7 @@ class MessageWalk {
         texts->emplace_back(reinterpret_cast<const char*>(bytes_.data()) + begin, length);
       }
     } else if (const MessageType* inner = definition_.find(type)) {
-      advance(1), --at_;  // a type without fields cannot be repeated without end
+      advance(1), --at_;  // refuses types without fields behind the last byte
       for (const MessageField& field : *inner) {
         skip(field, nullptr);
       }
@@ -221,14 +221,14 @@ class MessageWalk {
   const Definition& definition_;
   const std::vector<std::uint8_t>& bytes_;
   std::size_t at_ = 0;
-  std::vector<std::string> names_;  // of a message that has a field `name`, as JointState
+  std::vector<std::string> names_;  // entries of the field `name` of a message such as JointState
 };
 
 bool hasField(const MessageType& type, const std::string& name) {
   return std::any_of(type.begin(), type.end(), [&](const MessageField& field) { return field.name == name; });
 }
 
-// With the first field where it was left out.
+// Adds the first field if it was omitted.
 std::vector<PathStep> completed(std::vector<PathStep> steps, const Definition& definition) {
   if (steps.empty()) {
     steps = {{"data", ""}};
@@ -255,7 +255,7 @@ std::vector<PathStep> completed(std::vector<PathStep> steps, const Definition& d
   return steps;
 }
 
-// The topic that a field is on: the longest that the text begins with.
+// Returns the topic of a field: the longest one with which the text begins.
 std::string topicOf(const rosbag::Bag& bag, const std::string& field) {
   std::set<std::string> topics;
   std::string best;

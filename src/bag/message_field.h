@@ -1,4 +1,4 @@
-// One number of every message on a topic, by the definition of the message that the bag holds.
+// Reads one number of every message on a topic, by the definition of the message in the bag.
 #pragma once
 
 #include <rosbag/bag.h>
@@ -18,11 +18,10 @@ struct Series {
   std::vector<double> value;
 };
 
-/// The numbers that "/topic/field.field" or "/topic.field[2].field" names, in the bag of that path:
-/// "/ft/wrench.force.z",
-/// "/joint_states/position[knee]", where the name is one of the message's `name`. The first field may be left out where
-/// one alone has the next, and `data` where the topic is all. Stamps are those of the header, or the times of receipt
-/// where there is none. Throws LogError that names what there is.
+/// Reads the numbers of a field "/topic/field.field" or "/topic.field[2].field", as in "/ft/wrench.force.z" and
+/// "/joint_states/position[knee]", where knee is one of the entries of the message's field `name`. The first field may
+/// be omitted if only one contains the next, and `data` if the topic is all. Stamps are those of the header, or the
+/// times of receipt if there is none. `path`: of the bag, for errors. Throws LogError that names what there is.
 Series readField(const rosbag::Bag& bag, const std::string& path, const std::string& field);
 
 }  // namespace rubber_suspension::bag

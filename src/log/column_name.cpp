@@ -1,4 +1,4 @@
-// The quantity and unit that the name of a column tells.
+// Quantity and unit in the name of a column.
 #include "log/column_name.h"
 
 #include <fmt/format.h>
@@ -20,9 +20,9 @@ struct QuantityNames {
   const char* name;
   const char* unit;
   std::vector<std::string> words;    // in lower case
-  std::vector<std::string> others;   // that may name it, where nothing else does
+  std::vector<std::string> others;   // that name it if no other column does
   std::vector<std::string> units;    // that this package writes behind the name
-  std::vector<std::string> defined;  // names of a file format that has them in this unit
+  std::vector<std::string> defined;  // names that a file format defines in this unit
 };
 
 const std::vector<QuantityNames>& quantityTable() {
@@ -34,7 +34,7 @@ const std::vector<QuantityNames>& quantityTable() {
         "date & time", "datum/uhrzeit", "datum uhrzeit", "x_value", "%time"},
        {"date", "datum"},
        {"s"},
-       {"x_value", "timestamps"}},  // of LabVIEW's .lvm; of MDF where it was exported to HDF5
+       {"x_value", "timestamps"}},  // in LabVIEW's .lvm; in MDF exported to HDF5
       {Quantity::displacement,
        "displacement",
        "m",
@@ -60,7 +60,8 @@ std::optional<Quantity> quantityWith(const std::string& bare, std::vector<std::s
   return std::nullopt;
 }
 
-// Units that any name may end in behind an underscore. Others are too easily a word: "displacement_in", "phase_a".
+// Units that are recognised behind an underscore of any name. Others are too easily a word: "displacement_in",
+// "phase_a".
 bool isPlainSuffix(const std::string& unit) {
   static const std::array<const char*, 16> kUnits = {"s",  "ms", "us", "m",   "cm",  "mm",  "um",   "N",
                                                      "kN", "MN", "Nm", "kNm", "rad", "deg", "degC", "lbf"};
@@ -81,8 +82,8 @@ bool isKnownUnit(const std::string& unit) {
          (isUnit(unit) || quantityOfUnit(unit).has_value() || spelledUnit(unit, "N m") != unit);
 }
 
-// True if the unit in a name may be that of a column in the other unit, or of a quantity of a log. "Position (A)" above
-// "mm" is no current.
+// True if the unit in a name may be that of a column with the other unit below, or of a quantity of a log. "Position
+// (A)" above "mm" is no current.
 bool mayMeasure(const std::string& unit, const std::string& other) {
   return quantityOfUnit(unit).has_value() || converts(unit, other);
 }
@@ -102,8 +103,8 @@ std::string withoutBrackets(const std::string& text) {
   return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-// The name up to `end` and the unit from `begin` on, if that is one. Behind the name of a quantity, what stands in
-// brackets should be one.
+// Splits a name into the part up to `end` and the unit from `begin` on, if that is a unit. Brackets behind the name of
+// a quantity are split off even if their text is no unit.
 bool splitAt(ColumnName& name, std::size_t end, std::size_t begin) {
   const std::string unit = withoutBrackets(trimmed(name.text.substr(begin)));
   const std::string bare = trimmed(name.text.substr(0, end));
@@ -131,7 +132,7 @@ bool splitMark(ColumnName& name, const std::string& mark) {
   return at != std::string::npos && splitAt(name, at, at + mark.size());
 }
 
-// A unit of the quantity that a name tells; behind a force a mass as well, which is refused as such.
+// True for a unit of the quantity that the name denotes. A mass behind a force is one as well, and is refused later.
 bool isSuffixOf(const std::string& bare, const std::string& suffix) {
   const auto named = quantityOfName(bare);
   const auto quantity = named ? named : quantityOfOtherName(bare);
@@ -141,7 +142,7 @@ bool isSuffixOf(const std::string& bare, const std::string& suffix) {
           converts(*unit, rowOf(*quantity).unit) || (*quantity == Quantity::force && converts(*unit, "kg")));
 }
 
-// A number is no name.
+// A number is no name, as in "10 mm".
 bool splitSuffix(ColumnName& name, char mark) {
   const std::size_t at = name.text.rfind(mark);
   if (at == std::string::npos || name.text.find_first_not_of("0123456789.,+- ") >= at) {

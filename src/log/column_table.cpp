@@ -42,7 +42,7 @@ class Cursor {
   std::size_t length() const { return length_; }
   bool atEnd() const { return next_ == length_; }
 
-  /// Reads on, so many elements at a time.
+  /// Reads the next part of at most this many elements when the last one is consumed.
   void load(std::size_t part) {
     if (atEnd() || next_ < end_) {
       return;
@@ -55,7 +55,7 @@ class Cursor {
     }
   }
 
-  /// Stamp of the next element; nullopt if it was not measured. Throws RowError.
+  /// Returns the stamp of the next element; nullopt if it was not measured. Throws RowError.
   std::optional<std::int64_t> stamp(std::string& reason) const {
     if (times_.empty() || !isNumber(times_[next_ - begin_], time_, reason)) {
       return std::nullopt;
@@ -67,7 +67,7 @@ class Cursor {
     }
   }
 
-  /// Adds the values of the next element, and continues.
+  /// Adds the values of the next element to a row and moves on to the element after it.
   void take(SampleRow& row) {
     row.place = next_ + 1;
     for (const Read& read : columns_) {
@@ -117,7 +117,7 @@ class Cursor {
   std::size_t next_ = 0;
 };
 
-// Reads the columns of a log part by part. Those of a group with a time of its own go by that.
+// Reads the columns of a log part by part. Columns of a group with its own time use that time.
 class ColumnReader {
  public:
   ColumnReader(const ColumnSegment& segment, const ColumnTable& table, const LogFormat& format)
@@ -146,7 +146,7 @@ class ColumnReader {
 
   std::size_t samples() const { return cursors_.front().length(); }
 
-  /// Hands out the log in blocks, of so many samples or more; false ends the reading.
+  /// Passes the log to `take` in blocks of at least `part` samples until that returns false.
   void read(std::size_t part, const std::function<bool(Log& block)>& take) {
     Log block;
     try {
@@ -165,7 +165,7 @@ class ColumnReader {
     }
   }
 
-  /// Once all is read.
+  /// Returns the notes once all is read.
   std::vector<std::string> notes() const {
     std::vector<std::string> notes = notes_;
     if (!table_.is_own && !areCanonical(columns_)) {
@@ -194,7 +194,7 @@ class ColumnReader {
     (own_time.found() ? cursors_.back() : cursors_.front()).add(column, signal);
   }
 
-  // The time in another group than the displacement's; none where that of the displacement holds.
+  // Returns the time in a group other than the displacement's; none if the time of the displacement holds.
   Column timeBeside(const Column& column) const {
     const std::string& group = segment_.groups[column.index];
     if (format_.rate || !columns_.time.found() || group == segment_.groups[columns_.displacement.index]) {
@@ -224,7 +224,7 @@ class ColumnReader {
     }
   }
 
-  // The next row of all cursors by their stamps; false behind the last.
+  // Adds the next row of all cursors by their stamps; returns false behind the last.
   bool readRow(std::size_t part, Log& block) {
     SampleRow row;
     std::optional<std::int64_t> first;
@@ -234,7 +234,7 @@ class ColumnReader {
         continue;
       }
       const auto stamp = cursor.stamp(row.unmeasured[0]);
-      if (!stamp) {  // a row of its own
+      if (!stamp) {  // a row without a time
         cursor.take(row);
         rules_.take(row, block);
         return true;
@@ -270,7 +270,7 @@ class ColumnReader {
   Columns columns_;
   UnitsAre units_;
   SampleRules rules_;
-  std::vector<Cursor> cursors_;  // the displacement's first
+  std::vector<Cursor> cursors_;  // that of the displacement is the first
   std::vector<std::string> notes_;
 };
 
@@ -286,7 +286,7 @@ ColumnSegment segmentWhere(const ColumnTable& table, const std::string& group) {
   return segment;
 }
 
-// Each group that holds a log, where several do; otherwise all columns together.
+// Returns each group that contains a log if several do; otherwise all columns together.
 std::vector<ColumnSegment> segmentsOf(const ColumnTable& table, const LogFormat& format) {
   std::vector<ColumnSegment> segments;
   std::set<std::string> seen;

@@ -35,7 +35,8 @@ Field makeField(std::string_view text) {
   return {quoted ? trimmedView(text.substr(1, text.size() - 2)) : text, quoted};
 }
 
-// The end of the field that begins there. A quote within a field that does not begin with one is a character.
+// Returns the end of the field that begins at `begin`. A quote within a field that does not begin with one is a
+// character.
 std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separator) {
   const std::size_t first = line.find_first_not_of(kBlanks, begin);
   const char mark = infoOf(separator).marks.front();
@@ -43,7 +44,7 @@ std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separat
   bool in_quotes = first != std::string_view::npos && line[first] == '"';
   for (std::size_t i = in_quotes ? first + 1 : begin; i < line.size(); ++i) {
     if (line[i] == '"' && in_quotes) {
-      in_quotes = i + 1 < line.size() && line[i + 1] == '"';  // two of them are one within the text
+      in_quotes = i + 1 < line.size() && line[i + 1] == '"';  // a doubled quote is one within the text
       i += in_quotes ? 1 : 0;
     } else if (!in_quotes && (line[i] == mark || line[i] == other_mark)) {
       return i;
@@ -52,7 +53,7 @@ std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separat
   return line.size();
 }
 
-// "Time [s]" is two words between blanks and one name.
+// Joins a unit in brackets to its name: between blanks, "Time [s]" is two words.
 void joinUnits(std::vector<Field>& fields) {
   std::vector<Field> joined;
   for (const Field& field : fields) {
@@ -67,7 +68,7 @@ void joinUnits(std::vector<Field>& fields) {
   fields = joined;
 }
 
-// Names of several words each, set apart by two blanks or more.
+// Splits a line into names of several words each, which two blanks or more separate.
 std::vector<Field> splitAtWideGaps(std::string_view line) {
   std::vector<Field> fields;
   line = trimmedView(line);
@@ -85,7 +86,7 @@ std::vector<Field> fieldsOf(std::string_view line, Separator separator) {
   return fields;
 }
 
-// The names in a line; of those between blanks the reading that has `count` names, if one has.
+// Returns the names in a line. If blanks separate them, they are split at wide gaps if that gives `count` names.
 std::vector<Field> namesIn(std::string_view line, Separator separator, std::size_t count) {
   std::vector<Field> fields = fieldsOf(line, separator);
   if (separator == Separator::blanks) {
@@ -111,7 +112,7 @@ bool anyNumber(const std::vector<Field>& fields) {
   return std::any_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });
 }
 
-// The types of columns that stand below their names, as INCA writes them: "f8;f4".
+// True for a row of types of columns below their names, as INCA writes it: "f8;f4".
 bool isRowOfTypes(std::string_view line) {
   static const std::regex kType(
       "[fiub](1|2|4|8|16|32|64)|float|double|single|real|int(8|16|32|64)?|uint(8|16|32|64)?|"
@@ -122,12 +123,12 @@ bool isRowOfTypes(std::string_view line) {
          });
 }
 
-// True for a header whose first cell is a number of the test piece, above a row of units without one for it.
+// True for a header whose first cell is a number of the test piece, without a unit below it.
 bool isBeneathCorner(const std::vector<Field>& fields, const std::vector<std::string>& units) {
   return !units.empty() && units[0].empty() && !anyNumber({fields.begin() + 1, fields.end()});
 }
 
-// The fields below the names of `count` columns, where they hold a unit; empty where they are no row of units.
+// Returns the fields below the names of `count` columns; empty if they are no row of units.
 std::vector<std::string> cellsBelow(std::string_view line, Separator separator, std::size_t count) {
   std::vector<std::string> cells;
   bool any_unit = false;
@@ -152,7 +153,7 @@ std::vector<ColumnName> columnNames(const std::vector<Field>& fields, const std:
   return names;
 }
 
-// The columns that the user told by number, from 0; empty where one is told by name.
+// Returns the columns that the user gave by number, from 0; empty if one is given by name.
 std::vector<std::size_t> numbersToldIn(const LogFormat& format) {
   std::vector<std::size_t> places;
   for (const LogFormat::Channel& channel : format.of) {
@@ -229,7 +230,7 @@ std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
     return std::nullopt;
   }
   lines_.push_back({line.number, toUtf8(line.text)});
-  // A header, a row of units, a row: two lines are known behind the candidate.
+  // Two lines must follow the candidate: a row of units and a row.
   return lines_.size() < 3 ? std::nullopt : candidate(lines_.size() - 3);
 }
 
@@ -260,7 +261,7 @@ std::optional<CsvHeader> HeaderFinder::candidate(std::size_t i) const {
   return std::nullopt;
 }
 
-// Rows are the last word on the number of names, where these stand between blanks.
+// The first row determines the number of names that blanks separate.
 std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_follow) const {
   const std::size_t following = i + (units_follow ? 2 : 1);
   const std::string_view line = withoutCommentMark(lines_[i].text);
@@ -292,7 +293,7 @@ std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_fo
 
 bool HeaderFinder::confirmed(const CsvHeader& header, bool in_comment, std::size_t following) const {
   if (following >= lines_.size()) {
-    return !in_comment;  // the file holds nothing behind it
+    return !in_comment;  // the file ends behind it
   }
   if (isComment(lines_[following].text)) {
     return !in_comment;  // one of several comments is no header
@@ -329,7 +330,7 @@ std::optional<CsvHeader> HeaderFinder::numberedColumns(std::size_t i) const {
   return std::nullopt;
 }
 
-// Units that stand in the preamble, in a line that says so: "Unit;s;mm;kN".
+// Returns the units in a line of the preamble such as "Unit;s;mm;kN".
 std::vector<std::string> HeaderFinder::unitsAbove(const CsvHeader& header, std::size_t line, std::size_t count) const {
   constexpr std::size_t kMostLines = 20;
   for (std::size_t i = line; i-- > 0 && line - i <= kMostLines;) {
@@ -348,8 +349,8 @@ std::vector<std::string> HeaderFinder::unitsAbove(const CsvHeader& header, std::
   return {};
 }
 
-// The names above the first row, with a row of units between or without. A line of numbers there is a row, though one
-// that will be refused: it is not passed over.
+// Adds the names above the first row, with a row of units between or without. A line of numbers above is a row that
+// will be refused, so it is not skipped.
 void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   const std::size_t count = header.names.size();
   const auto fields_above = [&](std::size_t lines) {
@@ -375,7 +376,7 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   const bool two_rows = !units.empty() && are_names(second);
   std::vector<std::string> above = unitsAbove(header, row - 1, first.size());
   above.resize(above.empty() ? 0 : count);
-  first.resize(count);  // without names where the rows end in separators
+  first.resize(count);  // empty names where the rows end in separators
   second.resize(count);
   const bool units_alone = !two_rows && !units.empty() && std::all_of(units.begin(), units.end(), unitInField);
   for (std::size_t i = 0; i < count && units_alone; ++i) {
@@ -386,7 +387,7 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   header.line = lines_[row - (two_rows ? 2 : 1)].number;
 }
 
-// Line i as a header, with a row of units where that stands below.
+// Interprets line i as a header, or as the row of units below one.
 CsvHeader HeaderFinder::guessAt(std::size_t i) const {
   CsvHeader header;
   header.separator = separatorOf(lines_[i].text);
@@ -401,7 +402,7 @@ CsvHeader HeaderFinder::guessAt(std::size_t i) const {
   return header;
 }
 
-// No line is a header; the one directly above the first row of numbers says best what is wrong.
+// Returns the line that explains best why no line is a header: the one directly above the first row of numbers.
 CsvHeader HeaderFinder::bestGuess() const {
   const auto all_numbers = [](const std::vector<Field>& fields) {
     return std::all_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });

@@ -14,7 +14,7 @@
 
 namespace rubber_suspension::log {
 
-/// One line of a file, as it is there.
+/// One line of a file, unchanged.
 struct TextLine {
   std::size_t number = 0;  ///< from 1
   std::string text;
@@ -25,7 +25,7 @@ enum class Separator { comma, semicolon, tab, blanks };
 
 std::string toString(Separator separator);
 
-/// Separator of a line of names, by rank: beside a tab or a semicolon, commas and blanks are within fields.
+/// Returns the separator of a line of names, by rank: beside a tab or a semicolon, commas and blanks are within fields.
 Separator separatorOf(std::string_view line);
 
 /// A field of a line: its text without blanks and quotes around it.
@@ -34,20 +34,20 @@ struct Field {
   bool quoted = false;
 };
 
-/// The fields of a line. Separators within quotes separate nothing. An empty line has one empty field.
+/// Splits a line into fields. Separators within quotes separate nothing. An empty line has one empty field.
 void splitFields(std::string_view line, Separator separator, std::vector<Field>& fields);
 
 /// The header of a file and where its rows begin.
 struct CsvHeader {
   Separator separator = Separator::comma;
   std::vector<ColumnName> names;
-  std::size_t line = 0;          ///< that the names stand in; 0: the file has none, columns go by number
-  bool has_units_row = false;    ///< in the line behind
-  bool comments_follow = false;  ///< a row may end in a comment, as LabVIEW writes them, which is none of the names
-  std::size_t next_line = 0;     ///< number of the first line that is a row, or later than the head
+  std::size_t line = 0;          ///< number of the line with the names; 0: none, columns are found by number
+  bool has_units_row = false;    ///< in the next line
+  bool comments_follow = false;  ///< a row may end in a comment, which has no name here, as in LabVIEW's files
+  std::size_t next_line = 0;     ///< number of the first line that may be a row
 };
 
-/// Bounds on what may stand before the first row.
+/// Largest number of lines before the first row.
 constexpr std::size_t kMaximumHeadLines = 1000;
 
 /// Finds the header among the first lines of a file, by the names of the columns: lines before it are a preamble.
@@ -58,18 +58,18 @@ class HeaderFinder {
   /// Finds the header of a log.
   explicit HeaderFinder(const LogFormat& format);
 
-  /// Finds a header whose names look like that; `accepted`: their description for errors.
+  /// Finds a header whose names satisfy `looks`; `accepted`: their description for errors.
   HeaderFinder(LooksLikeHeader looks, std::string accepted)
       : looks_like_header_(std::move(looks)), accepted_(std::move(accepted)) {}
 
-  /// Add the next line; returns the header as soon as the lines behind it confirm it.
+  /// Adds the next line; returns the header as soon as the lines behind it confirm it.
   std::optional<CsvHeader> add(const TextLine& line);
 
   /// Returns the header of a file that ends here; `needs_row`: only one with a row behind it.
   std::optional<CsvHeader> atEnd(bool needs_row) const;
 
-  /// The header of a file that ends here, or the line that most looks like one. Throws std::runtime_error where there
-  /// is none.
+  /// Returns the header of a file that ends here, or the line that most looks like one. Throws std::runtime_error if
+  /// there is none.
   CsvHeader finish() const;
 
  private:
@@ -84,14 +84,14 @@ class HeaderFinder {
 
   LooksLikeHeader looks_like_header_;
   std::string accepted_;
-  std::vector<std::size_t> numbers_;  // of the columns, from 0, where the user told these; else empty
-  std::vector<TextLine> lines_;       // those that are not blank, in UTF-8
+  std::vector<std::size_t> numbers_;  // columns that the user gave by number, from 0; else empty
+  std::vector<TextLine> lines_;       // lines that are neither blank nor rows of types, in UTF-8
 };
 
-/// True for a line that is a comment: it begins with #, %, ! or //.
+/// Returns true for a line that is a comment: it begins with #, %, ! or //.
 bool isComment(std::string_view line);
 
-/// True for a number in decimal notation, with points and commas, or a time as a clock or a calendar shows it.
+/// Returns true for a number in decimal notation, with points and commas, or a time as a clock or a calendar shows it.
 bool isNumberField(std::string_view text);
 
 }  // namespace rubber_suspension::log
