@@ -30,8 +30,8 @@
 namespace rubber_suspension::log {
 namespace {
 
-// Fields that instruments and spreadsheets write where nothing was measured: nothing, words without a digit such as
-// Overrun, #N/A and --, and the C library's 1.#QNAN.
+// True for a field that instruments and spreadsheets write without a measurement: an empty one, words without a digit
+// such as Overrun, #N/A and --, and the C library's 1.#QNAN.
 bool isUnmeasured(const std::string& text) {
   return text.find_first_of("0123456789") == std::string::npos || text.find(".#") != std::string::npos;
 }
@@ -44,9 +44,8 @@ std::string reasonOf(const std::string& text, const Column& column) {
                        : quoted(text) + " is not a number");
 }
 
-// Where each field of a row begins; one more than there are fields, so that the end of field i is begin of i+1 less
-// one.
-// False for a row with quotes, in which commas need not separate, or with signs apart from their digits.
+// Finds where each field of a row begins, and one more place, so that field i ends one before field i+1 begins. Returns
+// false for a row with quotes, in which commas need not separate, or with signs apart from their digits.
 bool splitRow(const char* line, std::vector<const char*>& starts) {
   starts.clear();
   starts.push_back(line);
@@ -62,7 +61,7 @@ bool splitRow(const char* line, std::vector<const char*>& starts) {
   return true;
 }
 
-// Decimal marks that the user told of single columns.
+// Decimal marks that the user gave for single columns.
 std::vector<char> ownMarks(const LogFormat& format) {
   std::vector<char> marks;
   for (const LogFormat::Channel& channel : format.of) {
@@ -71,7 +70,7 @@ std::vector<char> ownMarks(const LogFormat& format) {
   return marks;
 }
 
-// Days since the end of 1899, as spreadsheets count them, for a time that tells no unit.
+// Limits of a time without a unit in days since the end of 1899, as spreadsheets count them.
 constexpr long double kFirstDay = 20000.0L;  // in 1954
 constexpr long double kLastDay = 80000.0L;   // in 2119
 constexpr long double kDaysBefore1970 = 25569.0L;
@@ -103,13 +102,13 @@ class CsvLogReader {
     return ended_ ? std::vector<std::string>() : std::move(logs_.front().notes);
   }
 
-  /// Line of an error.
+  /// Returns the line that errors name.
   std::size_t line() const { return line_; }
 
   bool hasHandedOut() const { return handed_out_ > 0; }
 
  private:
-  // All rows are kept where nobody takes them.
+  // Keeps all rows if there is no `take`.
   void readFile(const LogSource::Take* take) {
     take_ = take;
     std::vector<TextLine> head;
@@ -129,7 +128,7 @@ class CsvLogReader {
     }
   }
 
-  // First those that were read ahead to find a header.
+  // Returns the next line; those that were read ahead to find a header come first.
   const char* nextLine() {
     if (read_ahead_.empty()) {
       line_ = reader_->line() + 1;
@@ -169,7 +168,7 @@ class CsvLogReader {
     return found ? *found : finder.finish();
   }
 
-  // Reads on until a header is there, the file ends or a head would be too long. Lines are added to the head.
+  // Reads lines until a header is found, the file ends or the head is too long; adds them to the head.
   std::optional<CsvHeader> searchHeader(HeaderFinder& finder, std::vector<TextLine>& head) {
     std::optional<CsvHeader> header;
     for (const TextLine& line : head) {
@@ -186,7 +185,7 @@ class CsvLogReader {
     return header;
   }
 
-  // With the rows among the lines that were read to find its header.
+  // Begins a segment; its head may contain rows.
   void startSegment(const std::vector<TextLine>& head) {
     line_ = std::max<std::size_t>(header_.line, 1);
     columns_ = findColumns(header_.names, format_);
@@ -198,7 +197,7 @@ class CsvLogReader {
     readAhead(head, header_.next_line);
   }
 
-  // The lines of a head from that number on are read again as rows.
+  // Puts the lines of a head from `first` on back, to be read as rows.
   void readAhead(const std::vector<TextLine>& head, std::size_t first) {
     const auto rows =
         std::find_if(head.begin(), head.end(), [&](const TextLine& line) { return line.number >= first; });
@@ -221,7 +220,7 @@ class CsvLogReader {
     return rules_->continues(row_.stamp);
   }
 
-  // The first of these lines from that number on that is neither blank nor a comment.
+  // Returns the first line from `first` on that is neither blank nor a comment.
   static std::vector<TextLine>::const_iterator firstRow(const std::vector<TextLine>& head, std::size_t first) {
     return std::find_if(head.begin(), head.end(), [&](const TextLine& line) {
       return line.number >= first && !trimmed(line.text).empty() && !isComment(line.text);
@@ -244,7 +243,7 @@ class CsvLogReader {
     element::refuseIf<std::runtime_error>(segments_.size() == kMaximumSegments,
                                           "more than {} segments; accepted: that many at most", kMaximumSegments);
     segments_.push_back(fmt::format("lines {} to {}{}", first_row_, last_row_, border_));
-    // Without a word on segments, several are refused at the end.
+    // If the format selects no segment, several are refused at the end.
     if (!wanted || (format_.segment == 0 && another_follows)) {
       return;
     }
@@ -259,7 +258,7 @@ class CsvLogReader {
     logs_.push_back(std::move(log_));
   }
 
-  // A line that is no row ends a segment where another header follows, as does a blank line. Otherwise it is an error.
+  // Ends the segment at a line that is no row if another header or, behind a blank line, rows follow; otherwise throws.
   void endSegmentAt(const char* line, const std::runtime_error& error) {
     const std::size_t error_line = line_;
     const bool behind_blank = blank_line_ != 0;
@@ -282,7 +281,7 @@ class CsvLogReader {
     startSegment(head);
   }
 
-  // Rows behind a blank line, without a header of their own, or whose time restarts.
+  // Begins a segment without a header of its own: behind a blank line, or where the time restarts.
   void beginAnotherLog() {
     const bool restarts = blank_line_ == 0;
     restart_rate_ = restarts && restarts_ == 0 ? rules_->rate() : restart_rate_;
@@ -299,7 +298,7 @@ class CsvLogReader {
     }
   }
 
-  // A time without a unit may tell by its text that it is a clock's, or by its size that it is a spreadsheet's.
+  // Recognises a time without a unit: by its text as that of a clock, or by its size as that of a spreadsheet.
   void resolveTime(const std::vector<TextLine>& head) {
     days_ = false;
     const auto row = firstRow(head, header_.next_line);
@@ -333,7 +332,7 @@ class CsvLogReader {
 
   void readRow(const char* line) {
     const char* const text = line + std::strspn(line, " \t");
-    if (text[std::strspn(text, " \t,;\"")] == '\0') {  // as well where a spreadsheet has left its separators
+    if (text[std::strspn(text, " \t,;\"")] == '\0') {  // blank, also with the separators of a spreadsheet
       blank_line_ = blank_line_ == 0 ? line_ : blank_line_;
       return;
     }
@@ -374,7 +373,7 @@ class CsvLogReader {
     takeRow();
   }
 
-  // True for a line of text, without any measured value.
+  // True for a line without any measured value, which is text.
   bool isNoRow() const {
     const bool time = format_.rate || !row_.stamp;
     return first_row_ != 0 && time && std::isnan(row_.value[kMotion]) && std::isnan(row_.value[kForce]) &&
@@ -386,7 +385,7 @@ class CsvLogReader {
     return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
   }
 
-  // A summary that instruments append, by the first cell of its row: "Min", "Mittelwert:".
+  // True for a row of a summary that instruments append, by its first cell: "Min", "Mittelwert:".
   bool isStatistics(const char* line) {
     static const std::array<const char*, 22> kWords = {
         "min",    "minimum", "max",     "maximum", "mean",       "average",           "avg",   "rms",
@@ -406,9 +405,9 @@ class CsvLogReader {
     first_row_ = first_row_ == 0 ? line_ : first_row_;
     last_row_ = line_;
     if (!isWanted() && log_.size() >= kLogBlock) {
-      log_ = Log();  // of a segment that nobody asked for
+      log_ = Log();  // of a segment that is not requested
     }
-    if (log_.size() >= kMaximumLogRows) {  // never where they are handed out
+    if (log_.size() >= kMaximumLogRows) {  // never reached if blocks are passed on
       throw std::runtime_error(fmt::format("more than {} rows; accepted: that many at most", kMaximumLogRows));
     }
     row_.place = line_;
@@ -428,7 +427,7 @@ class CsvLogReader {
     }
   }
 
-  // Commas and nothing else: the fast path. False where the number of fields tells that there is more to it.
+  // Fast path for rows with commas alone; returns false if the number of fields shows that they have more.
   bool parsePlainRow(const char* line) {
     if (!splitRow(line, starts_) || starts_.size() - 1 != columns_.count) {
       return false;
@@ -480,7 +479,8 @@ class CsvLogReader {
     });
   }
 
-  // Not a number for a field that holds none, with the reason in the row. Throws for text that should have been one.
+  // Returns NaN for a field without a number, with the reason in the row. Throws for text that should have been a
+  // number.
   double readNumber(const char* field, const char* field_end, Quantity quantity) {
     char* parsed_end = nullptr;
     const double value = strtod_l(field, &parsed_end, cLocale());
@@ -492,7 +492,7 @@ class CsvLogReader {
                : unmeasured(field, field_end, quantity);
   }
 
-  // Blanks may follow. strtod takes hexadecimal numbers as well.
+  // strtod accepts hexadecimal numbers, too. Blanks may follow the number.
   static bool isHexadecimal(const char* field) { return std::strpbrk(field, "xX") != nullptr; }
   static bool isNumberBefore(const char* field, const char* parsed_end, const char* field_end) {
     const char* c = parsed_end;
@@ -506,7 +506,7 @@ class CsvLogReader {
   double unmeasured(const char* field, const char* field_end, Quantity quantity) {
     const std::string text = trimmed(std::string(field, static_cast<std::size_t>(field_end - field)));
     const std::string reason = reasonOf(text, columns_.of(quantity));
-    if (!isUnmeasured(text) && quantity != Quantity::temperature) {  // which is never needed
+    if (!isUnmeasured(text) && quantity != Quantity::temperature) {  // the temperature is optional
       throw std::runtime_error(reason + "; accepted: a finite number");
     }
     const std::size_t place = channelOf(quantity);
@@ -517,8 +517,8 @@ class CsvLogReader {
     return kNotMeasured;
   }
 
-  // Long double keeps the nanoseconds of a time since 1970, which a double cannot hold. Beside a given rate a time that
-  // cannot be read is none. The result is that of the file.
+  // Returns the time as in the file and sets the stamp. Long double represents the nanoseconds of a time since 1970,
+  // which a double cannot. If the format gives a rate, a time that cannot be read is ignored.
   double readStamp(const char* field, const char* field_end) {
     double time = kNotMeasured;
     try {
@@ -590,29 +590,29 @@ class CsvLogReader {
   std::string coding_;
   std::unique_ptr<LineReader> reader_;
   const LogSource::Take* take_ = nullptr;
-  std::vector<Log> logs_;              // of complete segments that are wanted
-  std::vector<std::string> segments_;  // complete ones, in words
-  std::string border_;                 // what made the segment another one than that before
+  std::vector<Log> logs_;              // of complete segments that are requested
+  std::vector<std::string> segments_;  // descriptions of complete segments
+  std::string border_;                 // why the segment begins
   CsvHeader header_;
   std::deque<TextLine> read_ahead_;
-  TextLine current_;  // of these
+  TextLine current_;  // last line from read_ahead_
   Columns columns_;
   std::optional<SampleRules> rules_;
-  Log log_;  // what is not handed out yet
+  Log log_;  // samples that are not passed on yet
   std::size_t handed_out_ = 0;
-  bool ended_ = false;        // nobody takes any more
-  std::size_t restarts_ = 0;  // of the time
+  bool ended_ = false;        // `take` has returned false
+  std::size_t restarts_ = 0;  // restarts of the time
   double restart_rate_ = 0.0;
   std::size_t line_ = 1;
-  std::size_t first_row_ = 0;  // line, of the segment
+  std::size_t first_row_ = 0;  // line, in the segment
   std::size_t last_row_ = 0;
   std::size_t blank_line_ = 0;
   Lines comments_;          // among the rows of the segment
   Lines repeats_;           // of the header, within the segment
-  Lines statistics_;        // rows
+  Lines statistics_;        // rows of statistics
   bool lettered_ = false;   // rows begin with a word
   bool by_fields_ = false;  // rows are not commas and numbers alone
-  bool days_ = false;       // the time is in those of a spreadsheet
+  bool days_ = false;       // the time is in days of a spreadsheet
   TimeTextReader clock_;
   SampleRow row_;
   std::vector<const char*> starts_;
@@ -620,7 +620,7 @@ class CsvLogReader {
   NumberMarks marks_;
 };
 
-// The result of `read` on a reader of the file; errors get their line.
+// Returns the result of `read` on a reader of the file; errors get their line.
 template <class Read>
 auto withReader(const std::string& path, const LogFormat& format, const Read& read, char found_mark = '\0') {
   std::unique_ptr<CsvLogReader> reader;
@@ -635,7 +635,7 @@ auto withReader(const std::string& path, const LogFormat& format, const Read& re
         fmt::format("{}:{}: a decimal {} here means that earlier marks may separate thousands; accepted: --decimal {}",
                     path, reader->line(), other.decimal == ',' ? "comma" : "point", other.decimal));
   } catch (const LogError&) {
-    throw;  // of who takes the samples
+    throw;  // from the consumer of the samples
   } catch (const RowError& error) {
     throw LogError(fmt::format("{}:{}: {}", path, error.row(), error.what()));
   } catch (const std::runtime_error& error) {

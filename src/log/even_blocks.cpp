@@ -10,12 +10,12 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr double kJitterAllowed = 0.02;      // of the median step; more is resampled
+constexpr double kJitterAllowed = 0.02;      // of the median step; a log with more is resampled
 constexpr std::size_t kMostCounted = 16384;  // different steps
-constexpr double kLongestStep = 0.5;         // [s] that is never a time gap: what the node bridges without a word
-constexpr std::int64_t kGapFactor = 20;      // times the step of nine in ten samples
-constexpr double kMostGrowth = 2.0;          // samples at even steps for one of the log,
-constexpr double kFewSamples = 20000.0;      // or so many in all, as of a creep test sampled by the logarithm of time
+constexpr double kLongestStep = 0.5;         // [s], never a time gap: the node bridges as much without a warning
+constexpr std::int64_t kGapFactor = 20;      // times the 90th percentile of the steps
+constexpr double kMostGrowth = 2.0;          // most samples at even steps per sample of the log,
+constexpr double kFewSamples = 20000.0;      // or in all, for a creep test sampled by the logarithm of time
 
 double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 

@@ -13,25 +13,25 @@
 
 namespace rubber_suspension::log {
 
-/// Even steps for a log. They are those of the log itself, by their mean, where none differs from the median by more
-/// than the jitter allowed; else the median, or so much more that there are no more than twice as many samples as in
-/// the log, or 20,000. A step longer than half a second and than 20 times that of nine in ten samples is a time gap: no
-/// even steps lead across it, they begin again behind it.
+/// Even steps for a log: its own mean step if no step differs from the median by more than the jitter allowed; else the
+/// median, or a longer step if there would be more than 20,000 samples and than twice those of the log. A step longer
+/// than half a second and than 20 times the 90th percentile of the steps is a time gap, behind which even steps begin
+/// again.
 struct EvenSteps {
   static constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
 
   double dt = 0.0;                ///< [s]
-  std::size_t samples = 0;        ///< at these steps; kUnknown where there are time gaps
-  bool as_recorded = true;        ///< the log has them itself
+  std::size_t samples = 0;        ///< at these steps; kUnknown if there are time gaps
+  bool as_recorded = true;        ///< the log itself has even steps
   double median = 0.0;            ///< step of the log [s]
-  double worst = 0.0;             ///< the one farthest from it that is no time gap [s]
+  double worst = 0.0;             ///< step farthest from the median that is no time gap [s]
   double duration = 0.0;          ///< without time gaps [s]
-  std::size_t gaps = 0;           ///< time gaps
-  std::int64_t longest_step = 0;  ///< [ns]; what is longer is a time gap
+  std::size_t gaps = 0;           ///< number of time gaps
+  std::int64_t longest_step = 0;  ///< [ns]; a longer step is a time gap
 };
 
-/// The time steps of a log, counted as they come. Memory: some 16,000 different steps, whatever the length; where there
-/// are more, near ones count as one.
+/// Counts the time steps of a log. Memory: some 16,000 different steps, whatever the length; if there are more, similar
+/// ones count as one.
 class TimeSteps {
  public:
   void add(const Log& block);
@@ -40,7 +40,7 @@ class TimeSteps {
   std::int64_t firstStamp() const { return first_; }  ///< [ns]
   std::int64_t lastStamp() const { return last_; }
 
-  /// Returns the even steps of two samples or more.
+  /// Returns the even steps of a log of at least two samples.
   EvenSteps evenSteps() const;
 
  private:
@@ -53,38 +53,37 @@ class TimeSteps {
   std::int64_t last_ = 0;
   std::int64_t smallest_ = 0;
   std::int64_t largest_ = 0;
-  std::int64_t width_ = 1;  // of steps that count as one [ns]
+  std::int64_t width_ = 1;  // range of steps that count as one [ns]
   std::unordered_map<std::int64_t, std::uint64_t> counts_;
 };
 
-/// The first samples of the stretches of a log between its time gaps: 0, and those behind a time gap.
+/// Returns the first samples of the stretches of a log between its time gaps: 0, and those behind a time gap.
 std::vector<std::size_t> stretchesOf(const Log& log);
 
-/// The longest of these stretches; the log itself where it has no time gap.
+/// Returns the longest of these stretches; the log itself if it has no time gap.
 Log longestStretch(const Log& log);
 
-/// A log at even steps, piece by piece.
+/// Resamples a log to even steps, block by block.
 class EvenBlocks {
  public:
-  /// Samples at even steps that follow one another; valid while they are taken. Null where the log has none of a
-  /// channel.
+  /// Consecutive samples at even steps, valid during the call. Channels that the log lacks are null.
   struct Piece {
-    double gap;  ///< time since the sample before, where a time gap lies between them [s]; 0: a step
+    double gap;  ///< time since the preceding sample if a time gap lies between them [s]; 0: a step
     std::size_t samples;
     const double* displacement;
     const double* force;
     const double* temperature;
     const double* across;
-    const double* counts;  ///< as those of the log; null: the force was measured throughout
+    const double* counts;  ///< as Log::counts; null: the force was measured throughout
   };
   using Take = std::function<void(const Piece&)>;
 
   explicit EvenBlocks(const EvenSteps& steps) : steps_(steps) {}
 
-  /// Hands out what the next block of the log gives.
+  /// Passes on the even samples of the next block.
   void add(const Log& block, const Take& take);
 
-  /// Hands out what the last sample stands for beyond.
+  /// Passes on the even samples that remain at the end of the log.
   void finish(const Take& take);
 
  private:
@@ -95,11 +94,11 @@ class EvenBlocks {
   void handOut(const Take& take);
 
   EvenSteps steps_;
-  std::size_t done_ = 0;  // even steps of the stretch
+  std::size_t done_ = 0;  // even steps of the stretch so far
   bool started_ = false;
   std::int64_t first_stamp_ = 0;  // of the stretch
-  double gap_ = 0.0;              // before the piece that is made [s]
-  Log last_;                      // the last sample of the blocks before
+  double gap_ = 0.0;              // before the next piece [s]
+  Log last_;                      // last sample of the preceding block
   Log even_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace rubber_suspension::log {
 
-/// The logs of a text file, as readCsvLog() describes: one, or each segment. A segment is what follows a header that
-/// repeats or another one, or a blank line. Throws LogError.
+/// Reads the logs of a text file, as readCsvLog() describes: one, or each segment. A segment begins with a header that
+/// repeats or differs, behind a blank line, or where the time restarts. Throws LogError.
 std::vector<Log> readCsvLogs(const std::string& path, const LogFormat& format);
 
 /// Reads the logs of a MATLAB file (level 4 to 7.3). Its columns are real vectors of numbers: variables, named as NAME,
@@ -19,9 +19,9 @@ std::vector<Log> readCsvLogs(const std::string& path, const LogFormat& format);
 std::vector<Log> readMatLogs(const std::string& path, const LogFormat& format);
 
 /// Reads the logs of an HDF5 file. Its columns are one-dimensional datasets of numbers and members of compound ones,
-/// named by their path without the first slash, or by their own name where all lie in one group; those of a matrix are
-/// named NAME[:,1] and so on. An attribute `unit`, `units`, `Unit` or `Units` tells the unit. Groups that each hold a
-/// log are segments. Throws LogError.
+/// named by their path without the first slash, or by their own name if all lie in one group; those of a matrix are
+/// named NAME[:,1] and so on. An attribute `unit`, `units`, `Unit` or `Units` states the unit. Groups that each contain
+/// a log are segments. Throws LogError.
 std::vector<Log> readHdf5Logs(const std::string& path, const LogFormat& format);
 
 /// Reads the log of a file of RPC III: its channels, named by DESC with the unit of UNITS, at steps of DELTA_T.
@@ -29,19 +29,19 @@ std::vector<Log> readHdf5Logs(const std::string& path, const LogFormat& format);
 std::vector<Log> readRpcLogs(const std::string& path, const LogFormat& format);
 
 /// Reads one log of any length in blocks of kLogBlock; returns the notes. Throws LogError, and what `take` throws. For
-/// HDF5, other threads and `take` must not read a file meanwhile.
+/// HDF5, other threads wait to read such files meanwhile, and `take` must not read any.
 std::vector<std::string> readCsvBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
 std::vector<std::string> readHdf5Blocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
 std::vector<std::string> readRpcBlocks(const std::string& path, const LogFormat& format, const LogSource::Take& take);
 
-/// The log that is alone. Throws LogError where there are several.
+/// Returns the only log. Throws LogError if there are several.
 Log onlyLog(const std::string& path, std::vector<Log>&& logs);
 
-/// The segment that a format asks for among so many, from 0, each described in words; nothing where it asks for all.
-/// Throws std::runtime_error that names them where it asks for none or for one that is not there.
+/// Returns the segment that a format selects, from 0; nullopt if it requests all. `segments`: their descriptions.
+/// Throws std::runtime_error with these if it selects none of several, or one that does not exist.
 std::optional<std::size_t> chosenSegment(const LogFormat& format, const std::vector<std::string>& segments);
 
-/// The name of a segment's log, from 1: that of the file and the number.
+/// Returns the name of a segment's log: that of the file and the number, from 1.
 std::string segmentName(const std::string& file, std::size_t number);
 
 }  // namespace rubber_suspension::log

@@ -30,7 +30,7 @@ struct Hdf5Column {
   hsize_t part = 0;
   bool wide = false;  // parts are rows
   int rank = 1;
-  bool is_long = false;  // whole numbers of 8 bytes
+  bool is_long = false;  // integers of 8 bytes
 };
 
 std::string textAttribute(hid_t object, const char* name) {
@@ -131,10 +131,10 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
 
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-// Folder of a column; a dataset with members is the folder of these.
+// Returns the group of a column; a dataset with members is the group of these.
 std::string folderOf(const Hdf5Column& column) { return column.member.empty() ? groupOf(column.path) : column.path; }
 
-// Uses short names if they are unambiguous.
+// Omits the paths if all columns are in one group.
 void nameColumns(std::vector<Hdf5Column>& columns) {
   std::set<std::string> groups;
   std::set<std::string> paths;
@@ -153,7 +153,7 @@ void nameColumns(std::vector<Hdf5Column>& columns) {
   }
 }
 
-// Type in memory: a number, or a structure with the member of the column.
+// Returns the type in memory: a number, or a structure with the member of the column.
 hid_t memoryType(const Hdf5Column& column, hid_t number) {
   if (column.member.empty()) {
     return H5Tcopy(number);
@@ -163,7 +163,7 @@ hid_t memoryType(const Hdf5Column& column, hid_t number) {
   return type;
 }
 
-// The numbers [first, first + count) of a column. `number`: the type in memory.
+// Reads the numbers [first, first + count) of a column. `number`: the type in memory.
 template <class Number>
 std::vector<Number> readAs(hid_t number, hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
   const Hdf5Handle dataset(H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), H5Dclose);
@@ -185,7 +185,7 @@ std::vector<Number> readAs(hid_t number, hid_t file, const Hdf5Column& column, h
   return values;
 }
 
-// A double does not hold each whole number of 8 bytes.
+// Refuses integers of 8 bytes that a double would round.
 std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
   if (!column.is_long) {
     return readAs<double>(H5T_NATIVE_DOUBLE, file, column, first, count);
@@ -201,7 +201,7 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
   return values;
 }
 
-// A file whose columns are known.
+// A file and its columns.
 class Hdf5File {
  public:
   explicit Hdf5File(const std::string& path) : file_(openHdf5(path), H5Fclose) {
@@ -226,7 +226,7 @@ class Hdf5File {
     nameColumns(columns_);
   }
 
-  /// Its columns, of at most so many numbers each. The file has to outlive them.
+  /// Returns the columns, of at most `most` numbers each. The file has to outlive them.
   ColumnTable table(std::size_t most) const {
     ColumnTable table{{}, {}, columns(most)};
     for (const Hdf5Column& column : columns_) {
@@ -239,7 +239,7 @@ class Hdf5File {
   }
 
  private:
-  /// Columns of as many numbers as may be read; longer ones are refused.
+  /// Returns access to the columns; refuses those of more than `most` numbers.
   ColumnFile columns(std::size_t most) const {
     return {[this, most](std::size_t place, const std::string& name) {
               element::refuseIf<std::runtime_error>(
@@ -258,7 +258,7 @@ class Hdf5File {
   std::vector<Hdf5Column> columns_;
 };
 
-// Result of `read` for a file; other threads wait until it has returned.
+// Returns the result of `read` for a file; other threads wait until it has returned.
 template <class Read>
 auto withHdf5File(const std::string& path, const Read& read) {
   const std::lock_guard<std::mutex> lock(hdf5Mutex());

@@ -1,4 +1,4 @@
-// Logs of any source: their check, how to read them, and the CSV that is written.
+// Checks of logs from any source, formats by the options of commands, and the CSV that is written.
 #include "rubber_suspension/log/log.h"
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ void checkValues(const Log& log, const char* name, const std::vector<double>& va
   }
 }
 
-// The channel of a quantity; nothing for another word.
+// Returns the channel of a quantity; nullptr for another word.
 LogFormat::Channel* channelNamed(LogFormat& format, const std::string& quantity) {
   for (const Quantity one : kQuantities) {
     if (quantity == toString(one)) {
@@ -63,7 +63,7 @@ LogFormat::Channel* channelNamed(LogFormat& format, const std::string& quantity)
   return nullptr;
 }
 
-// "-NAME" and "0.001*NAME" are a factor and a name.
+// Reads a factor and a name in "-NAME" and "0.001*NAME".
 void setColumnAndFactor(LogFormat::Channel& channel, const std::string& text) {
   const std::size_t star = text.find('*');
   const std::optional<double> factor =
@@ -79,7 +79,7 @@ void setColumnAndFactor(LogFormat::Channel& channel, const std::string& text) {
   }
 }
 
-// "QUANTITY=NAME", or QUANTITY alone: the column of that place.
+// Reads "QUANTITY=NAME", or QUANTITY alone for the column of that place.
 void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
@@ -101,7 +101,7 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
                     "--columns: the temperature has a factor; accepted: its column without a factor");
 }
 
-// "force=kN", of which a unit may be of several words.
+// Reads "force=kN"; the unit may have several words.
 void setUnitOption(LogFormat& format, const std::string& entry) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
@@ -149,7 +149,7 @@ char decimalMark(const std::string& text) {
       fmt::format("--decimal: {}; accepted: , or . (comma or point), or of one column, as in force=,", quoted(text)));
 }
 
-// "," of all columns, or "force=," of one.
+// Reads "," for all columns, or "force=," for one.
 void setDecimal(LogFormat& format, const std::string& text) {
   const std::size_t sign = text.find('=');
   LogFormat::Channel* const channel =

@@ -16,7 +16,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-// 285 years: stamps stay well within 64 bits of nanoseconds.
+// 285 years, so that stamps fit into 64 bits of nanoseconds.
 constexpr double kMaximumTime = 9.0e9;  // [s]
 
 const LogFormat::Channel& channelOf(const LogFormat& format, Quantity quantity) {
@@ -33,7 +33,7 @@ bool isWanted(Quantity quantity, const LogFormat& format) { return quantity != Q
 
 std::string quotedName(const ColumnName& column) { return quoted(column.withUnit()); }
 
-// The names of a header for an error, the first of them if there are many.
+// Lists the names of a header for an error, only the first of them if there are many.
 std::string listed(const std::vector<ColumnName>& header) {
   constexpr std::size_t kMost = 12;
   std::vector<std::string> names = element::each(header, quotedName);
@@ -54,13 +54,13 @@ Places placesWhere(const std::vector<ColumnName>& header, Condition condition) {
   return places;
 }
 
-// The place that a number of --columns tells, from 1; none where it is no number of a column.
+// Returns the place of a column by its number from 1 in --columns; none for other text.
 Places placeOfNumber(const std::string& text, std::size_t count) {
   const std::size_t number = wholeNumber(text);
   return number >= 1 && number <= count ? Places{number - 1} : Places{};
 }
 
-// Where the column is that the user named: as in the file, without its unit, or by its number.
+// Returns the places of the column that the user named: as in the file, without its unit, or by its number.
 Places placesOfOption(const std::vector<ColumnName>& header, const std::string& name) {
   Places places = placesWhere(header, [&](const ColumnName& column) {
     return column.text == name || column.withUnit() == name || (!column.second.empty() && column.second == name);
@@ -71,7 +71,7 @@ Places placesOfOption(const std::vector<ColumnName>& header, const std::string& 
   return places.empty() ? placeOfNumber(name, header.size()) : places;
 }
 
-// By name, else by unit; each column for one quantity only.
+// Finds columns by name, else by unit, among those that the user did not assign.
 class ColumnFinder {
  public:
   ColumnFinder(const std::vector<ColumnName>& header, const LogFormat& format) : header_(header) {
@@ -107,14 +107,14 @@ class ColumnFinder {
   }
 
  private:
-  // "Force (set)" is no rival of "Force [N]", but is refused by name where it stands alone.
+  // Prefers "Force [N]" to "Force (set)", which is refused if it is the only one.
   Places withKnownUnit(const Places& places) const {
     const Places known = element::those(places, [&](std::size_t place) { return header_[place].unit_known; });
     return known.empty() ? places : known;
   }
 
   const std::vector<ColumnName>& header_;
-  Places taken_;  // by the user's word
+  Places taken_;  // by options of the user
 };
 
 std::string accepted(Quantity quantity) {
@@ -135,7 +135,7 @@ void refuseAmbiguity(const std::vector<ColumnName>& header, const Places& places
                                         element::joined(places, ", ", name), what, toString(quantity));
 }
 
-// Beyond these a unit is another one misspelt: "Mm" is a thousand kilometres.
+// A larger unit is misspelt: "Mm" is a thousand kilometres.
 double largestUnit(Quantity quantity) {
   return quantity == Quantity::displacement ? 1e3 : quantity == Quantity::time ? 7.0 * 86400.0 : HUGE_VAL;
 }
@@ -154,7 +154,8 @@ void setUnit(Column& column, const std::string& unit, const LogFormat& format, Q
   }
 }
 
-// The column at a place. Its unit is that of the option, else its own, else the SI unit, which is told as `assumed`.
+// Returns the column at a place. Its unit is that of the option, else its own, else the SI unit, which notes name as
+// `assumed`.
 Column columnAt(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format, Quantity quantity,
                 const std::string& own, const std::string& assumed) {
   const LogFormat::Channel& channel = channelOf(format, quantity);
@@ -183,7 +184,8 @@ std::string nameHint(const std::vector<ColumnName>& header, const std::string& n
   return oneLine(element::didYouMean(name, names));
 }
 
-// The unit that a header tells of a column which the user named: behind its name, or in its place, as of "mm,kN".
+// Returns the unit that a header states for a column that the user named: behind its name, or in its place, as in
+// "mm,kN".
 std::string ownUnit(const ColumnName& column, Quantity quantity) {
   if (!column.unit.empty()) {
     return column.unit_known ? column.unit : "";
@@ -191,7 +193,7 @@ std::string ownUnit(const ColumnName& column, Quantity quantity) {
   return quantityOfUnit(column.text) == quantity ? column.text : "";
 }
 
-// A column that the user named.
+// Returns a column that the user named.
 Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& format, Quantity quantity) {
   const std::string& name = channelOf(format, quantity).column;
   const Places places = placesOfOption(header, name);
@@ -211,7 +213,7 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
                                        quoted(column.name), toString(quantity), column.name, accepted(quantity)));
 }
 
-// A column found by its name or unit, which has to tell its unit or be told it.
+// Returns a column found by name or unit. Its unit has to be known, except that of time.
 Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format,
                    Quantity quantity) {
   Column column = columnAt(header, place, format, quantity, header[place].unit, definedUnit(header[place].bare));
@@ -221,7 +223,7 @@ Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, con
   return column;
 }
 
-// Selects, of times in several groups of a file, that in the displacement's.
+// Selects the time in the displacement's group if several groups of a file have one.
 Places besideDisplacement(const ColumnFinder& finder, const std::vector<ColumnName>& header, const Places& times) {
   const Places displacement = finder.find(Quantity::displacement);
   if (times.size() < 2 || displacement.size() != 1) {
@@ -242,13 +244,13 @@ Column findColumn(const ColumnFinder& finder, const std::vector<ColumnName>& hea
     places = besideDisplacement(finder, header, places);
   }
   if (quantity == Quantity::temperature && (places.size() != 1 || header[places[0]].unit.empty())) {
-    return {};  // it is never needed
+    return {};  // the temperature is optional
   }
   refuseAmbiguity(header, places, toString(quantity), quantity);
   return places.empty() ? Column() : foundColumn(header, places[0], format, quantity);
 }
 
-// Stress and strain in place of a force and a displacement.
+// Returns a hint if the header has stress and strain in place of force and displacement.
 std::string hintOfMaterial(const std::vector<ColumnName>& header, Quantity quantity) {
   const auto of_material = element::those(
       header, [](const ColumnName& name) { return isOfMaterial(lowerCase(name.bare)) && !quantityOfUnit(name.unit); });
@@ -279,7 +281,7 @@ void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& heade
   }
 }
 
-// A time that a rate replaces is looked at where it can be found.
+// Returns the time that a rate replaces; none if it cannot be found without error.
 Column timeBesideRate(const ColumnFinder& finder, const std::vector<ColumnName>& header, const LogFormat& format) {
   try {
     return findColumn(finder, header, format, Quantity::time);
@@ -289,9 +291,9 @@ Column timeBesideRate(const ColumnFinder& finder, const std::vector<ColumnName>&
 }
 
 struct FoundColumns {
-  bool options_fit = true;  // what the user named is there
+  bool options_fit = true;  // the header has the columns that the user named
   int found = 0;
-  int missing = 0;  // of those that a log needs
+  int missing = 0;  // columns that a log needs
 };
 
 FoundColumns countColumns(const std::vector<ColumnName>& header, const LogFormat& format) {
@@ -424,7 +426,7 @@ std::string describeColumns(const Columns& columns, const LogExtent& extent) {
 std::int64_t toStamp(long double time, const Column& column) {
   const long double seconds_per_unit = column.toSi(1.0);
   const long double units_per_second = std::round(1.0L / seconds_per_unit);
-  // A division where it is exact, for 1 ms is a whole part of a second and not 0.001 in binary.
+  // Divides if that is exact: 1 ms is a whole part of a second, but 0.001 is not exact in binary.
   const bool whole = seconds_per_unit < 1.0L && std::abs(units_per_second * seconds_per_unit - 1.0L) < 1e-15L;
   const long double seconds = whole ? time / units_per_second : time * seconds_per_unit;
   element::refuseIf<std::runtime_error>(!(std::abs(seconds) <= kMaximumTime),

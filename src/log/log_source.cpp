@@ -12,7 +12,8 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kMostKept = 4 * kLogBlock;  // samples: reading them twice would take longer
+constexpr std::size_t kMostKept = 4 * kLogBlock;  // samples; a log of no more is kept, because reading it again takes
+                                                  // longer
 
 class MemorySource : public LogSource {
  public:
