@@ -1,5 +1,5 @@
-// Checks the structure of MATLAB files of level 4 or 5, and writes some by matio. The format: MathWorks, MAT-File
-// Format, R2023b.
+// Checks the structure of MATLAB files of level 4 or 5, and writes matrices by matio. Source of the format: MathWorks,
+// MAT-File Format, R2023b.
 #include "log/mat_file.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ constexpr std::size_t kLargestElement = 2048UL * 1024 * 1024;  // bytes, uncompr
 enum DataType : std::uint32_t { kInt8 = 1, kInt32 = 5, kUint32 = 6, kMatrix = 14, kCompressed = 15 };
 enum MatClass : std::uint32_t { kCell = 1, kStruct = 2, kObject = 3, kDouble = 6, kUint64 = 15, kOpaque = 17 };
 
-// Bytes of a number of each data type; 0: none that holds numbers.
+// Bytes of a number of each data type; 0: no type of numbers.
 constexpr std::size_t kTypeSize[] = {0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
 
 struct Element {
@@ -51,7 +51,7 @@ class ElementReader {
     Element element;
     std::size_t begin = at_ + 8;
     std::size_t size = 0;
-    if (first >> 16U != 0) {  // a small one, within its tag
+    if (first >> 16U != 0) {  // a small element, stored within its tag
       element.type = first & 0xFFFFU;
       size = first >> 16U;
       begin = at_ + 4;
@@ -128,7 +128,7 @@ class MatChecker {
   }
 
  private:
-  // All that a compressed element says it holds; more of it is damage.
+  // Decompresses an element to the size that its tag states; more data are damage.
   std::string inflated(const ElementReader& reader, std::string_view data) const {
     std::string content;
     z_stream stream{};
@@ -147,7 +147,7 @@ class MatChecker {
       result = inflate(&stream, Z_NO_FLUSH);
       content.resize(content.size() - stream.avail_out);
       if (done == 0 && result == Z_OK) {
-        most = claimed(reader, content) + 1;  // which shows that there is more
+        most = claimed(reader, content) + 1;  // one byte more shows that there is too much
         refuseUnpacked(most, data.size(), large_);
       }
     }
@@ -155,7 +155,7 @@ class MatChecker {
     return content;
   }
 
-  // Bytes of a matrix by its tag, which its dimensions have to need.
+  // Returns the bytes of a matrix by its tag, which its dimensions have to account for.
   std::size_t claimed(const ElementReader& reader, std::string_view begin) const {
     constexpr std::size_t kTag = 8;
     constexpr std::size_t kBeside = 1UL << 16U;  // flags, dimensions, name
@@ -244,7 +244,7 @@ class MatChecker {
     objects_.push_back(name + " (" + std::string(reader.next().data) + ")");
   }
 
-  // Matrices one after the other, each with a header of five numbers.
+  // Level 4: matrices one after the other, each with a header of five numbers.
   void checkLevel4() const {
     std::size_t at = 0;
     while (at < file_.size()) {

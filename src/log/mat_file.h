@@ -1,5 +1,5 @@
-// MATLAB files: their structure, checked before libmatio reads them, which takes what is cut off for zeros; matrices as
-// such a file.
+// MATLAB files: checks of their structure before libmatio reads them, because it reads missing data as zeros, and
+// writing of matrices.
 #pragma once
 
 #include <string>
@@ -14,13 +14,14 @@ struct NamedMatrix {
   std::vector<double> values;  ///< column by column
 };
 
-/// Write a file of version 5, beside it and renamed. Throws std::runtime_error with the path that cannot be written.
+/// Writes a file of level 5 under a temporary name and renames it. Throws std::runtime_error with the path that cannot
+/// be written.
 void writeMatFile(const std::string& path, const std::vector<NamedMatrix>& matrices);
 
-/// Goes through all elements of a file that is no HDF5: their sizes have to add up to those around them and to the
-/// file's, their numbers to their dimensions; what is compressed has to have its checksum. Returns the variables that
-/// are objects of MATLAB (tables, timetables, timeseries), "name (class)". Throws std::runtime_error that names the
-/// byte. `large` as in refuseUnpacked().
+/// Checks all elements of a file of level 4 or 5: their sizes have to agree with the elements around them and the file,
+/// their numbers with their dimensions, and compressed data with their checksums. Returns the variables that are
+/// objects of MATLAB (tables, timetables, timeseries), "name (class)". Throws std::runtime_error that names the byte.
+/// `large` as in refuseUnpacked().
 std::vector<std::string> checkMatStructure(const std::string& path, bool large);
 
 }  // namespace rubber_suspension::log

@@ -1,4 +1,4 @@
-// Reads a log from a MATLAB file, one at a time: HDF5 beneath is not safe for threads in every build.
+// Reads a log from a MATLAB file, one at a time: HDF5 beneath level 7.3 is not safe for threads in every build.
 #include <fmt/format.h>
 #include <matio.h>
 
@@ -32,15 +32,15 @@ struct MatStep {
 // A vector of numbers in the file: a variable, a field within structs, or a column of a matrix.
 struct MatColumn {
   std::string name;
-  std::string unit;  // that a text beside a field tells
-  std::string leaf;  // of a field, what it is called itself; empty: the name
+  std::string unit;  // stated by a text beside a field
+  std::string leaf;  // name of a field without its path; empty: the name
   std::string group;
   std::string variable;
   std::vector<MatStep> path;  // empty: the variable itself
   std::size_t part = 0;       // of a matrix, from 1; 0: the whole vector
 };
 
-// Beyond these a matrix is a picture or a table of something else.
+// A matrix with more columns is a picture or a table of something else.
 constexpr std::size_t kMostMatrixColumns = 1000;
 
 bool isNumeric(const matvar_t& variable) {
@@ -60,7 +60,7 @@ bool isVector(const matvar_t& variable) {
   return isNumeric(variable) && variable.rank == 2 && std::min(variable.dims[0], variable.dims[1]) == 1;
 }
 
-// Samples are more than quantities.
+// A log has more samples than quantities.
 bool isWide(const matvar_t& matrix) { return matrix.dims[0] < matrix.dims[1]; }
 
 std::size_t partCount(const matvar_t& matrix) { return std::min(matrix.dims[0], matrix.dims[1]); }
@@ -93,7 +93,7 @@ std::string textIn(const matvar_t* variable) {
   return trimmed(text);
 }
 
-// The text of a field of one of these names, whatever their case.
+// Returns the text of the field with one of these names, in any case.
 std::string textOf(matvar_t& variable, std::size_t element, const std::vector<std::string>& names) {
   char* const* fields = Mat_VarGetStructFieldnames(&variable);
   for (unsigned i = 0; i < Mat_VarGetNumberOfFields(&variable); ++i) {
@@ -104,8 +104,8 @@ std::string textOf(matvar_t& variable, std::size_t element, const std::vector<st
   return "";
 }
 
-// The vectors in a struct, within structs as well. One that stands beside a text that names it, as in what Simulink and
-// data acquisition write, has that name. In Simulink's structure with time, `time` beside `signals`, it is in seconds.
+// Finds the vectors in a struct and in structs within it. A vector beside a text that names it, as written by Simulink
+// and data acquisition, has that name. `time` beside `signals`, as in Simulink's structure with time, is in seconds.
 class FieldFinder {
  public:
   FieldFinder(std::vector<MatColumn>& columns, std::string variable)
@@ -179,14 +179,14 @@ class MatLogReader {
       table.names.back().bare = parseColumnName(column.leaf.empty() ? column.name : column.leaf).bare;
       table.groups.push_back(column.group);
     }
-    table.file = {
-        [this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
-        [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // once, and all of them
-          keep(place, column);
-          std::vector<double> numbers = std::move(kept_.at(place));
-          kept_.erase(place);
-          return numbers;
-        }};
+    table.file = {[this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
+                  [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // called once, for
+                                                                                                    // all numbers
+                    keep(place, column);
+                    std::vector<double> numbers = std::move(kept_.at(place));
+                    kept_.erase(place);
+                    return numbers;
+                  }};
     return logsFromColumns(table, format_, name);
   }
 
@@ -230,7 +230,7 @@ class MatLogReader {
     return " (datasets of HDF5: " + describeDatasets(file.get()) + "; with the extension .h5 they are read as such)";
   }
 
-  // A column whose length was asked for is kept until it is taken.
+  // Keeps a column whose length was requested until its numbers are.
   const std::vector<double>& keep(std::size_t place, const std::string& name) {
     const auto kept = kept_.find(place);
     return kept != kept_.end() ? kept->second : kept_.emplace(place, readColumn(columns_[place], name)).first->second;
@@ -244,8 +244,8 @@ class MatLogReader {
     return numbersOf(vector, source.part, name);
   }
 
-  // A variable with its data, kept until another one is read. Its size is known before, so that a small file cannot
-  // claim the memory of a large one.
+  // Returns a variable with its data, kept until another one is read. Its size is checked first, so that a small file
+  // cannot claim the memory of a large one.
   matvar_t& read(const std::string& variable, const std::string& name) {
     if (kept_variable_ && kept_variable_->name == variable) {
       return *kept_variable_;

@@ -1,4 +1,4 @@
-// A file that is written beside the one that it replaces and takes its name when it is complete.
+// A file that is written under a temporary name and renamed when it is complete.
 #include "log/new_file.h"
 
 #include <fcntl.h>
@@ -21,8 +21,8 @@
 namespace rubber_suspension::log {
 namespace {
 
-// Paths that a signal removes. A signal handler may neither lock nor take memory; a path belongs to whoever has taken
-// it out of its slot.
+// Paths that a signal removes. A signal handler may neither lock nor allocate memory, so a path belongs to whoever has
+// exchanged it out of its slot.
 using Slot = std::atomic<const std::string*>;
 std::array<Slot, 64> slots = {};
 
@@ -40,13 +40,13 @@ extern "C" void removeUnfinishedFiles(int signal) {
   std::raise(signal);
 }
 
-// Only where the program has no handler of its own: roscpp ends its programs in order on SIGINT.
+// Handles signals only if the program has no handler of its own, as roscpp has for SIGINT.
 void watchSignals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
     struct sigaction action{};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_DFL) {
-      // A file beyond the limit of its size is an error of writing like others.
+      // A file beyond the limit of its size is then an ordinary error of writing.
       action.sa_handler = signal == SIGXFSZ ? SIG_IGN : removeUnfinishedFiles;
       sigaction(signal, &action, nullptr);
     }
@@ -57,7 +57,8 @@ void watchSignals() {
   throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(error == 0 ? EIO : error)));
 }
 
-// Hidden, short enough for any file system, with the extension, by which some programs choose a format; random.
+// Returns a random name, hidden, short enough for any file system, and with the extension, by which some programs
+// choose a format.
 std::string nameBeside(const std::filesystem::path& target) {
   constexpr std::size_t kLongest = 100;
   std::random_device random;
@@ -66,7 +67,7 @@ std::string nameBeside(const std::filesystem::path& target) {
   return (target.parent_path() / name).string();
 }
 
-// False, with errno, where a file or folder is not on the disk. Some file systems cannot tell, which is no error.
+// Returns false, with errno, if a file or folder is not on the disk. Some file systems cannot sync, which is no error.
 bool sync(const std::string& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
@@ -107,7 +108,7 @@ bool isStream(const std::string& path) {
 }
 
 std::string followedPath(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the kernel follows
+  constexpr int kMostLinks = 40;  // as in the kernel
   namespace fs = std::filesystem;
   std::error_code error;
   fs::path result = fs::absolute(path, error);
@@ -132,13 +133,13 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(pa
     fail(path, errno);
   }
   writing_path_ = nameBeside(target_);
-  removal_.emplace(writing_path_);  // before the file is there: a signal may come at any time
+  removal_.emplace(writing_path_);  // before the file exists, because a signal may come at any time
   const int descriptor = open(writing_path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, exists ? 0600 : 0666);
   if (descriptor < 0) {
     fail(path, errno);
   }
   if (exists) {
-    fchmod(descriptor, status.st_mode & 07777U);  // a file system without permissions has none to set
+    fchmod(descriptor, status.st_mode & 07777U);  // may fail on a file system without permissions
   }
   close(descriptor);
 }
@@ -183,7 +184,7 @@ void NewFile::commit() {
       fail(path_, errno);
     }
     removal_.reset();
-    sync(std::filesystem::path(target_).parent_path().string());  // where that fails, the new name stands nevertheless
+    sync(std::filesystem::path(target_).parent_path().string());  // if that fails, the file is renamed nevertheless
   }
 }
 

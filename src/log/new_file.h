@@ -1,4 +1,4 @@
-// A file that is written beside the one that it replaces and takes its name when it is complete.
+// A file that is written under a temporary name and renamed when it is complete.
 #pragma once
 
 #include <atomic>
@@ -9,8 +9,8 @@
 
 namespace rubber_suspension::log {
 
-/// While it exists, a signal that ends the process (SIGINT, SIGTERM, SIGHUP) removes a file, or a folder that is empty
-/// but for such files.
+/// Removes a file, or a folder that contains only such files, if a signal (SIGINT, SIGTERM, SIGHUP) ends the process
+/// during the lifetime of the object.
 class RemovedBySignal {
  public:
   explicit RemovedBySignal(const std::string& path);
@@ -19,32 +19,32 @@ class RemovedBySignal {
   ~RemovedBySignal();
 
  private:
-  std::atomic<const std::string*>* slot_ = nullptr;  // nullptr: all were taken, and the signal leaves the file
+  std::atomic<const std::string*>* slot_ = nullptr;  // nullptr: no slot was free, and the file remains
 };
 
-/// The content goes to a file in the same folder, by line(), by write() or by whoever is given writingPath(); commit()
-/// gives it the name wanted. Without commit() it is removed, also where a signal ends the process, so that an older
-/// file of that name stays whole whatever happens. A symbolic link is followed: the file that it points to is replaced.
-/// Other than regular files (/dev/stdout, a pipe) are written directly. Several threads may write files, each with its
-/// own object. All calls throw LogError that begins with the path.
+/// Writes a file under a temporary name in the same folder, by line(), by write() or by others to writingPath();
+/// commit() renames it. Without commit() it is removed, also if a signal ends the process, so that an older file of
+/// that name is never damaged. A symbolic link is followed: the file that it points to is replaced. Devices and pipes
+/// (/dev/stdout) are written directly. Several threads may write files, each with its own object. All calls throw
+/// LogError that begins with the path.
 class NewFile {
  public:
-  /// Throws also where an existing file may not be written.
+  /// Throws also if an existing file is not writable.
   explicit NewFile(const std::string& path);
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
   ~NewFile();
 
-  /// Where to write; it exists, empty, and ends in the extension of the path.
+  /// Returns the path to write to: an empty file with the extension of the final path, or a device or pipe.
   const std::string& writingPath() const { return writing_path_; }
 
-  /// Add a line, which may reach the file by commit() only.
+  /// Adds a line, which may reach the file by commit() only.
   void line(std::string_view text);
 
-  /// Write all of the content.
+  /// Writes the content and flushes it.
   void write(const std::string& content);
 
-  /// Call when all is written and whoever else writes has closed the file; it is on the disk when this returns.
+  /// Renames the file, once all other writers have closed it; it is on the disk when this returns.
   void commit();
 
  private:
@@ -53,19 +53,19 @@ class NewFile {
 
   std::string path_;                        // as given, for errors
   std::string target_;                      // without symbolic links
-  std::string writing_path_;                // beside the target, or the path itself where that is no regular file
-  std::optional<RemovedBySignal> removal_;  // while a file stands beside the target
+  std::string writing_path_;                // beside the target, or the path itself if that is a device or pipe
+  std::optional<RemovedBySignal> removal_;  // while the temporary file exists
   std::ofstream stream_;
 };
 
-/// True for what is written where it stands: devices and pipes, and /dev/stdout and the like, which lead to files that
-/// are open already.
+/// Returns true for paths that are written directly: devices and pipes, and /dev/stdout and the like, which refer to
+/// files that are open already.
 bool isStream(const std::string& path);
 
-/// The path without symbolic links, also where the last of them points to a file that is not there.
+/// Returns the path without symbolic links, also if the last one points to a file that does not exist.
 std::string followedPath(const std::string& path);
 
-/// Write a whole file so. Throws LogError that begins with the path.
+/// Writes a whole file as NewFile does. Throws LogError that begins with the path.
 void writeNewFile(const std::string& path, const std::string& content);
 
 }  // namespace rubber_suspension::log

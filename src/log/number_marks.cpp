@@ -17,13 +17,13 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kGroup = 3;  // digits of a thousand
+constexpr std::size_t kGroup = 3;  // digits
 
 const char* nameOfMark(char mark) { return mark == ',' ? "comma" : "point"; }
 char otherMark(char mark) { return mark == ',' ? '.' : ','; }
 bool isMarkDigit(char c) { return c >= '0' && c <= '9'; }
 
-// Groups of three between marks, the first of one to three.
+// True for groups of three digits between marks, after a first one of one to three.
 bool isGrouped(std::string_view digits, char mark) {
   std::size_t at = digits.find(mark);
   if (at == 0 || at > kGroup) {
@@ -84,13 +84,13 @@ struct NumberMarks::Marks {
     before = digits.substr(0, std::min(last_mark, digits.size()));
   }
 
-  // "1.072" may be a thousand and 72; "0.125" and "1.07" may not.
+  // "1.072" may be 1072; "0.125" and "1.07" may not.
   bool mayBeThousands() const {
     return points + commas == 1 && !has_exponent && isGrouped(digits, last) && digits.front() != '0';
   }
 
   std::string_view digits;
-  std::string_view before;  // the last mark
+  std::string_view before;  // before the last mark
   bool has_exponent = false;
   std::size_t points = 0;
   std::size_t commas = 0;
@@ -208,7 +208,7 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
   for (std::size_t i = 0; i < columns_.size() && !told_; ++i) {
     const ColumnMarks& column = columns_[i];
     const bool either = column.told == '\0' && column.line > 0 && !column.decimals && column.unmarked && !column.large;
-    // Another column may have told the mark, unless that makes jumps of a smooth channel.
+    // The decimal mark of another column decides, unless a smooth channel jumps with it.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
       const std::string option = by_option ? optionFor(column, i) : "a file without marks between thousands";
       throw RowError(column.line, fmt::format("{}: the mark in '{}' may be decimal or separate thousands, because no "
@@ -218,7 +218,7 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
   }
 }
 
-// Option for all columns, or for this one if the mark of another is known.
+// Returns the option for all columns, or for this one if the mark of another is known.
 std::string NumberMarks::optionFor(const ColumnMarks& column, std::size_t channel) const {
   const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
   const std::string of = decimal_ == '\0' ? "" : toString(static_cast<Quantity>(channel)) + "=";

@@ -1,4 +1,4 @@
-// Logs of six directions: each direction is a log of its own with the same stamps.
+// Reads logs of six directions; each direction is read as a log of its own with the same stamps.
 #include "rubber_suspension/log/pose_log.h"
 
 #include <fmt/format.h>
@@ -14,14 +14,13 @@ namespace {
 
 constexpr std::array<const char*, 6> kCoordinates = {"x", "y", "z", "rx", "ry", "rz"};
 constexpr std::array<const char*, 6> kWrench = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
-constexpr std::size_t kRotations = 3;  // from here on
+constexpr std::size_t kRotations = 3;  // place of the first rotation
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 Log readDirection(const std::string& path, LogFormat format, std::size_t direction, bool with_wrench) {
   format.turns = direction >= kRotations;
   format.of[static_cast<std::size_t>(Quantity::displacement)].column = kCoordinates[direction];
-  // Without a wrench no other column is a force; the coordinate stands for none.
   format.of[static_cast<std::size_t>(Quantity::force)].column = with_wrench ? kWrench[direction] : "";
   return readLog(path, format);
 }
@@ -37,7 +36,7 @@ Log readDirection(const std::string& path, LogFormat format, std::size_t directi
   throw LogError(text + "; accepted of six directions: x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, or with other units");
 }
 
-// The first direction tells whether the log has wrenches.
+// Reads the first direction, which shows whether the log has wrenches.
 Log readFirst(const std::string& path, const LogFormat& format, bool& with_wrench) {
   try {
     with_wrench = true;

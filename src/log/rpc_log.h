@@ -1,4 +1,4 @@
-// Drive files of rigs: RPC III of MTS, written. file_readers.h reads it.
+// Writes drive files of rigs in RPC III of MTS; file_readers.h has their reader.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ struct RpcChannel {
   std::vector<double> values;
 };
 
-/// The file of a time history of single precision with these channels, all of one length, at steps of `dt` [s]. Rigs
-/// play whole frames: each channel holds its last value up to the end of its last frame. Throws std::invalid_argument
-/// for no samples or lengths that differ.
+/// Returns the content of a file: a time history of single precision with these channels, all of one length, at steps
+/// of `dt` [s]. Rigs play whole frames, so each channel repeats its last value up to the end of its last frame. Throws
+/// std::invalid_argument for no samples or lengths that differ.
 std::string rpcFile(double dt, const std::vector<RpcChannel>& channels);
 
 }  // namespace rubber_suspension::log

@@ -1,4 +1,4 @@
-// The rules by which rows of a file become samples of a log.
+// Makes samples of a log from the rows of a file.
 #include "log/sample_rules.h"
 
 #include <fmt/format.h>
@@ -15,13 +15,13 @@ namespace {
 
 constexpr double kRateAgrees = 0.01;
 constexpr std::size_t kMostCollected = 100000;  // stamps
-constexpr std::size_t kFewestOfLog = 10;        // rows before a time may restart: of fewer it may be swapped
+constexpr std::size_t kFewestOfLog = 10;        // rows before a time may restart: in fewer, rows may be swapped
 constexpr double kAtBeginning = 3.0;            // steps
 constexpr double kLongestPause = 3.0;           // steps between blocks of one log
 
-// The rate of stamps that do not fall back, but may be equal or rounded: from the usual step between different stamps,
-// and how many rows share one. The first and the last of them need not be there from their first row to their last. 0
-// where they do not tell it.
+// Returns the rate [Hz] of stamps that may be equal, rounded or swapped, by the median step between different stamps
+// and the rows per stamp. The first and the last stamp do not count, because some of their rows may be missing. 0 if
+// unknown.
 double rateOfBlock(std::vector<std::int64_t> stamps) {
   std::sort(stamps.begin(), stamps.end());
   const auto first_rows = std::upper_bound(stamps.begin(), stamps.end(), stamps.front()) - stamps.begin();
@@ -43,8 +43,7 @@ double rateOfBlock(std::vector<std::int64_t> stamps) {
   return share * 1e9 / static_cast<double>(numerics::medianOf(stamps));
 }
 
-// The rate of a recording whose stamps are equal, swapped or rounded, or fall back by far: the usual one of the blocks
-// between.
+// Returns the median rate [Hz] of the blocks between steps of the stamps far back.
 double rateOfStamps(const std::vector<std::int64_t>& stamps) {
   std::vector<std::int64_t> forward;
   for (std::size_t i = 1; i < stamps.size(); ++i) {
@@ -137,7 +136,7 @@ bool SampleRules::repeatsLast(const SampleRow& row) const {
   return row.stamp == last_stamp_ && std::equal(last_.begin(), last_.end(), row.value.begin(), same);
 }
 
-// A row of the same stamp that holds what the last one lacks, and nothing else.
+// True for a row of the same stamp whose values are only those that the last row lacks.
 bool SampleRules::completesLast(const SampleRow& row) const {
   const auto complement = [](double a, double b) { return std::isnan(a) || std::isnan(b); };
   return row.stamp == last_stamp_ && std::equal(last_.begin(), last_.end(), row.value.begin(), complement);

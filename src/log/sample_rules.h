@@ -1,5 +1,5 @@
-// The rules for the stamps of a file's rows, the same for text and for files of whole columns: stamps that increase, a
-// sampling rate in their place, a time that restarts.
+// Rules for the stamps of rows, the same for text and for files of whole columns: stamps that increase, a sampling rate
+// in their place, a time that restarts.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@
 
 namespace rubber_suspension::log {
 
-/// A row in the units of the file; not a number: not measured.
+/// A row in the units of the file; NaN: not measured.
 struct SampleRow {
   std::size_t place = 0;              ///< line, or element of the columns, from 1
-  std::optional<std::int64_t> stamp;  ///< [ns]; nothing: not measured, or no column of time
+  std::optional<std::int64_t> stamp;  ///< [ns]; nullopt: not measured, or no column of time
   std::array<double, kSignals> value = {kNotMeasured, kNotMeasured, kNotMeasured};
   /// Why a value is missing, by quantity, for errors: "force_N: 'OL' is not a number".
   std::array<std::string, kQuantities.size()> unmeasured;
@@ -27,30 +27,30 @@ struct SampleRow {
 
 class SampleRules {
  public:
-  /// `word`: what a place is called, "line" or "element". The columns have to outlive the rules.
+  /// `word`: name of a place, "line" or "element". The columns have to outlive the rules.
   SampleRules(const LogFormat& format, const Columns& columns, const char* word);
 
-  /// True where the time falls back to where it began: another log begins.
+  /// Returns true if the time falls back to where it began, so that another log begins.
   bool restarts(const SampleRow& row) const;
 
-  /// True for a time that lies at most three steps behind the last one: rows behind a repeated header belong to the
+  /// Returns true for a time at most three steps behind the last one: rows behind a repeated header then belong to the
   /// same log.
   bool continues(const std::optional<std::int64_t>& stamp) const;
 
-  /// Takes the row, unless it repeats the one before or lacks its time; gives it its stamp where a rate is given.
-  /// Appends to a log what is complete. Throws RowError.
+  /// Adds a row, unless it repeats the preceding one or lacks its time; sets its stamp if the format gives a rate.
+  /// Appends complete samples to the log. Throws RowError.
   void take(SampleRow& row, Log& to);
 
-  /// Once all rows are taken: appends the rest. Throws RowError for what only shows then.
+  /// Appends the remaining samples once all rows are added. Throws RowError for errors that only show then.
   void finish(Log& to);
 
-  /// Notes on what was left out, merged or replaced.
+  /// Returns notes on rows and stamps that were omitted, merged or replaced.
   std::vector<std::string> notes() const;
 
   LogExtent extent() const { return signals_.extent(); }
   const Signals& signals() const { return signals_; }
 
-  /// Rate of the stamps so far [Hz]; 0 if unknown.
+  /// Returns the rate of the stamps so far [Hz]; 0 if unknown.
   double rate() const;
 
  private:
@@ -65,7 +65,7 @@ class SampleRules {
   Signals signals_;
   const char* word_;
   std::size_t rows_ = 0;
-  std::vector<std::int64_t> recent_;  // stamps, to tell the rate where one does not increase
+  std::vector<std::int64_t> recent_;  // stamps, to suggest a rate if one does not increase
   std::int64_t first_stamp_ = 0;
   std::size_t stamped_ = 0;
   std::int64_t last_stamp_ = 0;

@@ -1,4 +1,4 @@
-// Stretches of a log.
+// Samples of a log and their channels.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace rubber_suspension::log {
 
-/// Each of them may be empty.
+/// The channels of a log, each of which may be empty.
 inline constexpr std::array<std::vector<double> Log::*, 4> kChannels = {&Log::displacement, &Log::force,
                                                                         &Log::temperature, &Log::across};
 
-/// True if the force of a sample was measured.
+/// Returns true if the force of a sample was measured.
 inline bool isCounted(const Log& log, std::size_t i) { return log.counts.empty() || log.counts[i] > 0.0; }
 
 /// Appends samples [first, first + count) of a log to those of another with the same columns, or with none.
@@ -39,7 +39,7 @@ inline void appendSamples(const Log& from, std::size_t first, std::size_t count,
   to.units = from.units;
 }
 
-/// These samples under the log's name, without its notes.
+/// Returns these samples under the log's name, without its notes.
 inline Log samplesOf(const Log& log, std::size_t first, std::size_t count) {
   Log result;
   result.name = log.name;
@@ -47,8 +47,8 @@ inline Log samplesOf(const Log& log, std::size_t first, std::size_t count) {
   return result;
 }
 
-/// Hands out the samples in blocks of so many at most; `first`: the place of the first in the whole log, which moves
-/// on. False as soon as nobody takes any more.
+/// Passes the samples to `take` in blocks of at most `block`. `first`: place of the first one in the whole log, which
+/// is advanced. Returns false as soon as `take` does.
 inline bool handOutBlocks(const Log& log, std::size_t block, const LogSource::Take& take, std::size_t& first) {
   bool more = true;
   for (std::size_t done = 0; more && done < log.size(); done += block) {

@@ -1,4 +1,4 @@
-// Displacement, force and temperature as signals with clocks of their own.
+// Merges displacement, force and temperature, which may have clocks of their own.
 #include "log/signals.h"
 
 #include <fmt/format.h>
@@ -15,13 +15,14 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kLookAhead = 262144;     // rows, and samples that wait for the next value of a slow signal
-constexpr std::int64_t kLongestSteps = 3;      // of a signal's own median, between which it is interpolated
+constexpr std::size_t kLookAhead = 262144;     // rows examined at once, and samples that wait for the next value of a
+                                               // slow signal
+constexpr std::int64_t kLongestSteps = 3;      // median steps of a signal, over which it is interpolated at most
 constexpr double kBridged = 0.5;               // [s], as the node bridges by default
-constexpr std::size_t kFewestPerGap = 100;     // rows for each that is lost, unless --bridge is given
-constexpr std::size_t kFewestPerAdvised = 10;  // rows for each that an option may leave out
+constexpr std::size_t kFewestPerGap = 100;     // rows per lost one, unless --bridge is given
+constexpr std::size_t kFewestPerAdvised = 10;  // rows per one that an option may omit
 constexpr std::size_t kMostPlaces = 4;         // that a note names
-constexpr double kFarOff = 100.0;              // ranges of the others, for a number that stands for none
+constexpr double kFarOff = 100.0;              // ranges of the others, for a code of missing values
 
 bool isMeasured(double value) { return !std::isnan(value); }
 
@@ -32,7 +33,8 @@ void requireSize(std::size_t place, const Column& column, double value) {
   }
 }
 
-// True where the extent of nearly all values is far less than that of all: only then a number may stand for none.
+// True if the middle three quarters of the values extend over far less than all: only then one may be a code of missing
+// values.
 bool mayHoldSentinel(const std::vector<double>& values) {
   constexpr std::size_t kSampled = 1000;
   const std::size_t stride = values.size() / kSampled + 1;
@@ -46,9 +48,9 @@ bool mayHoldSentinel(const std::vector<double>& values) {
   return *high - *low > kFarOff * (sampled[sampled.size() - 1 - tail] - sampled[tail]);
 }
 
-// A signal that steps to a value and stays there has measured it, and so has one that rises to it by others. A value
-// that stands for none is alone and left again, and is rare, unless it fills the rows between the samples of a slow
-// signal.
+// True for a value that occurs in runs between values of the usual range, and is rare unless it fills the rows between
+// the samples of a slow signal. A signal that steps to a value and stays there has measured it, and so has one that
+// rises to it by other values out of range.
 bool isMissingValueCode(const std::vector<double>& values, double value, double low, double high) {
   std::size_t cells = 0;
   std::size_t other_runs = 0;
@@ -74,7 +76,7 @@ struct Peeled {
   double high = 0.0;
 };
 
-// The values that repeat and lie beyond the others by far, of those at the ends of ascending ones.
+// Returns repeated values at the ends of ascending ones that lie far beyond all others.
 Peeled peel(const std::vector<double>& ascending) {
   constexpr std::size_t kMostDistinct = 4;  // at each end
   const auto peelable = [&](auto begin, auto end) {
@@ -244,7 +246,7 @@ void Signals::dropSentinels(SignalRow& row) {
   }
 }
 
-// Behind the rows that were looked at together, a number that would have been taken for none there.
+// Throws if a later number repeats that would have been a code of missing values in the rows examined at once.
 void Signals::watchRange(std::size_t signal, const SignalRow& row) {
   Signal& state = signals_[signal];
   const double value = row.value[signal];
@@ -322,7 +324,7 @@ void Signals::addSample(const SignalRow& row) {
   motion.begun = true;
   motion.last_stamp = row.stamp;
   Sample sample{row.stamp, row.value, true};
-  for (const std::size_t s : {kForce, kTemperature}) {  // it may stand in a row of the same stamp
+  for (const std::size_t s : {kForce, kTemperature}) {  // the value may be in a row of the same stamp
     Signal& state = signals_[s];
     if (state.begun && state.last_stamp == row.stamp && !isMeasured(row.value[s]) &&
         state.next == passed_ + pending_.size()) {
@@ -340,8 +342,8 @@ void Signals::addMissing(const SignalRow& row, bool faulty) {
   gap_faults_ += faulty ? 1 : 0;
 }
 
-// The samples since the value before. Between values with the stamp of a displacement none was measured; between those
-// of a clock of its own it is on the line that joins them.
+// Interpolates the samples since the preceding value. They count if the signal has a clock of its own; between values
+// with the stamps of displacements none was measured.
 void Signals::arrive(std::size_t signal, const SignalRow& row) {
   Signal& state = signals_[signal];
   const double value = row.value[signal];
@@ -374,7 +376,7 @@ void Signals::handOut(Log& to, bool all) {
       if (!all && pending_.size() <= kLookAhead) {
         return;
       }
-      sample.value[s] = state.last_value;  // for want of a next one
+      sample.value[s] = state.last_value;  // there is no next value
       sample.counts = sample.counts && s != kForce;
       state.next = passed_ + 1;
     }
@@ -437,7 +439,7 @@ void Signals::refuseGaps() const {
   throw RowError(too_long ? longest_place_ : first, reason + "; accepted: a finite number" + advice());
 }
 
-// Advice leaves out a tenth of the rows at most.
+// Suggests an option only if that omits a tenth of the rows at most.
 std::string Signals::advice() const {
   if (lost_rows_ * kFewestPerAdvised > rows_ || !signals_[kMotion].there) {
     return signals_[kMotion].there ? fmt::format(" in nine of ten rows, for {} of {} lack one", lost_rows_, rows_) : "";

@@ -1,5 +1,5 @@
-// Displacement, force and temperature as signals with clocks of their own, and the log that they make: the displacement
-// sets its stamps, the others are found between their own samples. Memory: some 260,000 rows, whatever the length.
+// Merges displacement, force and temperature, which may have clocks of their own, to a log: the displacement sets its
+// stamps, the others are interpolated. Memory: some 260,000 rows, whatever the length.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace rubber_suspension::log {
 
-/// The signals of a log, by the order of their quantities without the time.
+/// The signals of a log, in the order of their quantities without the time.
 constexpr std::size_t kSignals = 3;
 constexpr std::size_t kMotion = 0;
 constexpr std::size_t kForce = 1;
@@ -24,7 +24,7 @@ constexpr std::size_t kTemperature = 2;
 
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-/// The error of a row of a file, which need not be the one that was read last.
+/// An error in a row of a file, which need not be the one that was read last.
 class RowError : public std::runtime_error {
  public:
   RowError(std::size_t row, const std::string& reason) : std::runtime_error(reason), row_(row) {}
@@ -34,7 +34,7 @@ class RowError : public std::runtime_error {
   std::size_t row_;
 };
 
-/// Values of one time, as the file has them; not a number: not measured.
+/// Values of one time, as in the file; NaN: not measured.
 struct SignalRow {
   std::int64_t stamp = 0;  ///< [ns]
   std::size_t place = 0;   ///< line, or element of the columns, from 1
@@ -45,24 +45,24 @@ struct SignalRow {
 
 class Signals {
  public:
-  /// `word`: what a place is called, "line" or "element". The columns have to outlive the signals.
+  /// `word`: name of a place, "line" or "element". The columns have to outlive the signals.
   Signals(const LogFormat& format, const Columns& columns, const char* word);
 
-  /// The next row, whose stamp is not before that of the last one; `reason` is why a value is missing, for notes and
-  /// errors. Appends to the log what is complete. Throws RowError.
+  /// Adds the next row, whose stamp is not before that of the last one; `reason` is why a value is missing, for notes
+  /// and errors. Appends complete samples to the log. Throws RowError.
   void add(const SignalRow& row, const std::array<std::string, kSignals>& reason, Log& to);
 
-  /// Counts a row without a time, which is left out.
+  /// Counts a row without a time, which is omitted.
   void addTimeless(std::size_t place, const std::string& reason, Log& to);
 
-  /// Once all rows are added: appends the rest. Throws RowError for what only shows then.
+  /// Appends the remaining samples once all rows are added. Throws RowError for errors that only show then.
   void finish(Log& to);
 
   std::vector<std::string> notes() const;
 
   LogExtent extent() const { return {handed_out_, first_stamp_, last_stamp_}; }
 
-  /// False for a column that holds no number.
+  /// Returns false for a column without numbers.
   bool isThere(std::size_t signal) const { return signals_[signal].there; }
 
  private:
@@ -72,21 +72,21 @@ class Signals {
     bool counts = true;
   };
 
-  // A number that stands for none.
+  // A code of missing values.
   struct Sentinel {
     double value = 0.0;
-    double low = 0.0;  // of the others
+    double low = 0.0;  // range of the other values
     double high = 0.0;
-    std::vector<std::size_t> places;  // the first of them
+    std::vector<std::size_t> places;  // the first cells
     std::size_t cells = 0;
   };
 
   struct Signal {
     bool there = false;
     std::size_t rows = 0;         // with a number
-    std::size_t first_place = 0;  // without one
+    std::size_t first_place = 0;  // first row without a number
     std::string first_reason;
-    std::int64_t step = 0;  // the median, between its own samples [ns]
+    std::int64_t step = 0;  // median between its own samples [ns]
     std::vector<Sentinel> sentinels;
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -95,8 +95,8 @@ class Signals {
     bool begun = false;
     std::int64_t last_stamp = 0;
     double last_value = 0.0;
-    bool last_shared = false;  // its stamp with a displacement
-    std::size_t next = 0;      // first sample that it has not passed
+    bool last_shared = false;  // its stamp is that of a displacement
+    std::size_t next = 0;      // first sample that waits for its value
   };
 
   void settle(Log& to);
@@ -120,7 +120,7 @@ class Signals {
   const Columns& columns_;
   const char* word_;
   std::array<Signal, kSignals> signals_;
-  std::vector<SignalRow> ahead_;  // rows by which steps and sentinels are known
+  std::vector<SignalRow> ahead_;  // rows from which steps and sentinels are found
   bool settled_ = false;
   std::size_t rows_ = 0;
   std::deque<Sample> pending_;
@@ -133,7 +133,7 @@ class Signals {
   std::size_t gap_rows_ = 0;
   std::size_t gap_faults_ = 0;
   std::size_t gap_place_ = 0;
-  // Gaps longer than those of the displacement's clock.
+  // Rows in gaps that are longer than the steps of the displacement's clock.
   std::size_t lost_rows_ = 0;
   std::size_t longest_place_ = 0;
   double longest_gap_ = 0.0;  // [s]

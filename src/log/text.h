@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::log {
 
-/// The locale in which a decimal point is a point, whatever the user's is.
+/// Returns the locale in which a decimal point is a point, whatever the user's is.
 inline locale_t cLocale() {
   static const locale_t locale = newlocale(LC_ALL_MASK, "C", nullptr);
   return locale;
@@ -18,7 +18,7 @@ inline locale_t cLocale() {
 
 constexpr std::string_view kBlanks = " \t";
 
-/// The text without blanks at its ends.
+/// Returns the text without blanks at its ends.
 inline std::string_view trimmedView(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
   return first == std::string_view::npos ? std::string_view()
@@ -32,32 +32,33 @@ inline bool endsWith(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-/// The text with ASCII letters in lower case.
+/// Returns the text with ASCII letters in lower case.
 std::string lowerCase(std::string text);
 
-/// True where all bytes belong to characters of UTF-8.
+/// Returns true if all bytes belong to characters of UTF-8.
 bool isUtf8(const std::string& text);
 
-/// The text in UTF-8: as it is where it is UTF-8, else read as Latin-1, in which every byte is a character.
+/// Returns the text in UTF-8: unchanged if it is UTF-8, else from Shift-JIS if it can only be that, else from Latin-1,
+/// in which every byte is a character.
 std::string toUtf8(const std::string& text);
 
-/// The text as a terminal may show it, on one line: blanks for line ends and tabs; control characters, those that turn
-/// the direction of writing, and bytes that are no UTF-8 as \xNN.
+/// Returns the text as a terminal may show it, on one line: blanks for line ends and tabs; \xNN for control characters,
+/// those that change the direction of writing, and bytes that are no UTF-8.
 std::string oneLine(const std::string& text);
 
-/// Text that a user wrote, in quotes and fit for one line of an error: cut where it is long, as oneLine().
+/// Returns text of a user in quotes, for one line of an error: shortened if it is long, and as by oneLine().
 std::string quoted(const std::string& text);
 
-/// The ending of a noun that counts things.
+/// Returns the ending of a noun that counts things.
 inline const char* pluralOf(std::size_t count) { return count == 1 ? "" : "s"; }
 
-/// Names as a list "a, b, c".
+/// Joins names to a list "a, b, c".
 std::string join(const std::vector<std::string>& names);
 
-/// Throws std::runtime_error for a named pipe, whose other end nobody may ever open.
+/// Throws std::runtime_error for a named pipe, which would block if no program writes to it.
 void refuseNamedPipe(const std::string& path);
 
-/// The content of a file of at most that many bytes. Throws std::runtime_error with the reason.
+/// Returns the content of a file of at most `maximum_size` bytes. Throws std::runtime_error with the reason.
 std::string readFile(const std::string& path, std::size_t maximum_size);
 
 /// Reads a file; the error is one line, from the path to what is accepted.

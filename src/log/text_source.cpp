@@ -1,4 +1,4 @@
-// A log as text in UTF-8: by Boost where it is gzip, by iconv where it is UTF-16.
+// Reads a log as text in UTF-8, by Boost if it is gzip, by iconv if it is UTF-16.
 #include "log/text_source.h"
 
 #include <fmt/format.h>
@@ -45,13 +45,13 @@ class FileBytes final : public ByteSource {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-// 0 where it is no regular file.
+// Returns 0 if it is no regular file.
 std::size_t sizeOfFile(const std::string& path) {
   struct stat status{};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
-// Another source whose first bytes have been looked at.
+// A source whose first bytes can be inspected before they are read.
 class PeekedSource final : public ByteSource {
  public:
   explicit PeekedSource(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {
@@ -84,7 +84,7 @@ class PeekedSource final : public ByteSource {
 
 constexpr std::size_t kPortion = 64 * 1024;  // bytes that are decoded at a time
 
-// The packed bytes for the library, counted.
+// Passes packed bytes to the library and counts them.
 struct PackedBytes : boost::iostreams::source {
   ByteSource* source;
   std::size_t* count;
@@ -96,7 +96,7 @@ struct PackedBytes : boost::iostreams::source {
   }
 };
 
-// One gzip member or several behind each other.
+// Unpacks one gzip member, or several behind each other.
 class GzipSource final : public ByteSource {
  public:
   GzipSource(std::unique_ptr<ByteSource> source, bool large, std::size_t size)
@@ -136,7 +136,7 @@ class Utf16Source final : public ByteSource {
       : source_(std::move(source)),
         converter_(iconv_open("UTF-8", little_endian ? "UTF-16LE" : "UTF-16BE")),
         input_(kPortion) {
-    // iconv_open's own word for failure.
+    // iconv_open's value for failure.
     if (converter_ == reinterpret_cast<iconv_t>(-1)) {  // NOLINT(performance-no-int-to-ptr)
       throw std::runtime_error("UTF-16: this system cannot convert it; accepted: UTF-8");
     }
@@ -180,7 +180,7 @@ class Utf16Source final : public ByteSource {
 
 enum class Encoding { bytes, utf16_little_endian, utf16_big_endian };
 
-// UTF-16 without a byte order mark: most characters of a log are ASCII, every other byte is 0.
+// Recognises UTF-16 without a byte order mark: most characters of a log are ASCII, so every other byte is 0.
 Encoding guessedEncoding(const std::string& head) {
   std::size_t zeros[2] = {};
   for (std::size_t i = 0; i < head.size(); ++i) {

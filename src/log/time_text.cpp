@@ -21,7 +21,7 @@ constexpr std::int64_t kDay = 86400 * kNanoseconds;
 
 bool isDigitOfTime(char c) { return c >= '0' && c <= '9'; }
 
-// Takes text from the front.
+// Parses text from the front.
 class TimeText {
  public:
   explicit TimeText(std::string_view text) : rest_(text) {}
@@ -37,7 +37,7 @@ class TimeText {
 
   void skipBlanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
 
-  // Number of at most that many digits; -1 without digits, or with more.
+  // Reads a number of at most `most` digits; -1 without digits, or with more.
   int number(std::size_t most) {
     std::size_t digits = 0;
     int value = 0;
@@ -48,7 +48,7 @@ class TimeText {
     return digits == 0 || digits > most ? -1 : value;
   }
 
-  // Fraction of a second [ns], rounded, with any number of digits.
+  // Reads the fraction of a second [ns]; digits below a nanosecond are ignored.
   std::int64_t fraction() {
     std::int64_t value = 0;
     std::int64_t unit = kNanoseconds / 10;
@@ -66,7 +66,7 @@ class TimeText {
 
 struct CalendarDay {
   std::int64_t days = 0;  // since 1970
-  bool doubtful = false;  // which number is the month
+  bool doubtful = false;  // day and month may be exchanged
   bool exists = true;
 };
 
@@ -78,7 +78,7 @@ std::optional<CalendarDay> takeDate(TimeText& text) {
       (parts[2] = text.number(4)) < 0) {
     return std::nullopt;
   }
-  if (parts[0] <= 31) {  // the year stands behind
+  if (parts[0] <= 31) {  // the year is the last number
     std::swap(parts[0], parts[2]);
     const bool month_first = separator == '/' && parts[2] <= 12;
     if (month_first) {
@@ -131,7 +131,7 @@ std::optional<std::int64_t> takeClock(TimeText& text) {
   return (hour * 60 + minute) * 60 * kNanoseconds + nanoseconds;
 }
 
-// East of Greenwich [ns].
+// Reads a time zone, east of Greenwich [ns]; 0 without one.
 std::optional<std::int64_t> takeZone(TimeText& text) {
   text.skipBlanks();
   if (text.atEnd() || text.take("Zz")) {
@@ -150,7 +150,7 @@ std::optional<std::int64_t> takeZone(TimeText& text) {
   return (west ? -1 : 1) * (hours * 60 + minutes) * 60 * kNanoseconds;
 }
 
-// "0 days 00:00:00.001", as pandas writes a duration; a negative one is days before a time of day.
+// Reads "0 days 00:00:00.001", as pandas writes a duration; a negative one is days before a time of day.
 std::optional<std::int64_t> takeDays(std::string_view text) {
   TimeText whole(text);
   const bool before = whole.take("-");
@@ -166,7 +166,7 @@ std::optional<std::int64_t> takeDays(std::string_view text) {
   return of_day && whole.atEnd() ? std::optional((before ? -days : days) * kDay + *of_day) : std::nullopt;
 }
 
-// "0.001 sec": a number and its unit.
+// Reads a number and its unit, "0.001 sec".
 std::optional<std::int64_t> takeQuantity(std::string_view text) {
   const std::size_t blank = text.find_first_of(kBlanks);
   if (blank == std::string_view::npos || blank == 0 || !(isDigitOfTime(text[blank - 1]) || text[blank - 1] == '.')) {
@@ -185,7 +185,7 @@ std::optional<std::int64_t> takeQuantity(std::string_view text) {
     const long double nanoseconds = std::strtold(number.c_str(), nullptr) * static_cast<long double>(seconds) * 1e9L;
     constexpr long double kMost = 9e18L;
     return std::abs(nanoseconds) < kMost ? std::optional<std::int64_t>(std::llroundl(nanoseconds)) : std::nullopt;
-  } catch (const std::invalid_argument&) {  // of another quantity
+  } catch (const std::invalid_argument&) {  // the unit is not one of time
     return std::nullopt;
   }
 }
@@ -195,7 +195,7 @@ std::optional<std::int64_t> takeQuantity(std::string_view text) {
 bool isTimeText(std::string_view text) {
   try {
     return TimeTextReader().read(text).has_value();
-  } catch (const std::runtime_error&) {  // of a day that there is not
+  } catch (const std::runtime_error&) {  // the date does not exist
     return true;
   }
 }

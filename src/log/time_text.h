@@ -7,16 +7,17 @@
 
 namespace rubber_suspension::log {
 
-/// True for a clock time, a date with a clock time, or a duration: "14:31:07,123", "12.03.2025 14:31:07",
+/// Returns true for a clock time, a date with a clock time, or a duration: "14:31:07,123", "12.03.2025 14:31:07",
 /// "2025-03-12T14:31:07.5Z", "0 days 00:00:00.001", "0.001 sec".
 bool isTimeText(std::string_view text);
 
-/// Reads times one after the other: a clock without a date that falls back by more than half a day has passed midnight.
+/// Reads consecutive times. A clock without a date that falls back by more than half a day has passed midnight.
 class TimeTextReader {
  public:
-  /// [ns], since 1970 in UTC with a date, since the first midnight without; a zone (Z, +01:00) is taken into account,
-  /// AM and PM as well. 12/03/2025 is the 3rd of December where no other number forbids it. Nothing for other text.
-  /// Throws std::runtime_error where a date of this form, which may be read in two ways, changes within the log.
+  /// Returns the time [ns], since 1970 in UTC with a date, since the first midnight without, by its zone (Z, +01:00),
+  /// AM and PM; nullopt for other text. 12/03/2025 is the 3rd of December unless its first number exceeds 12. Throws
+  /// std::runtime_error if a date of this form, which may be read in two ways, changes within the log, and for a date
+  /// that does not exist.
   std::optional<std::int64_t> read(std::string_view text);
 
  private:

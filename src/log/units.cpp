@@ -1,4 +1,5 @@
-// Physical units by UDUNITS-2, whose system of units is read once and guarded by a lock: it is not safe for threads.
+// Physical units by UDUNITS-2. Its system of units is read once and guarded by a lock, because it is not safe for
+// threads.
 #include "rubber_suspension/log/units.h"
 
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ ut_system* unitSystem() {
     element::refuseIf(made == nullptr, "UDUNITS-2 found no unit database; install libudunits2-data");
     for (const auto& [name, unit, is_symbol] :
          {std::tuple("deg", "arc_degree", false),
-          // Degrees in German by capital and small letters: with prefixes, giga-radians.
+          // German for degrees; as a symbol, by capital and small letters. Otherwise it would be a giga-radian.
           std::tuple("Grad", "arc_degree", true), std::tuple("tonf", "1000 kgf", false),
           std::tuple("kip", "1000 lbf", false), std::tuple("mil", "0.001 in", false),
           // Laboratories write dampings without a blank, also with a prefix: kNs/m.
@@ -50,7 +51,7 @@ ut_system* unitSystem() {
   return system;
 }
 
-// Units as headers of logs spell them, in lower case, where the library of units has another spelling.
+// Units as headers of logs spell them, in lower case, and as UDUNITS-2 does.
 struct Spelling {
   const char* written;
   const char* unit;
@@ -76,7 +77,7 @@ constexpr Spelling kSpellings[] = {
     {"\u03bcm", "um"},    {"mil", "mil"},     {"ft", "ft"},        {"ns", "ns"},      {"\u00b5s", "us"},
 };
 
-// Symbols whose small letters would be another unit.
+// Symbols that would be another unit in lower case.
 constexpr const char* kSymbols[] = {"mN", "MN", "GN", "uN",   "\u00b5N", "dN",  "hN",
                                     "nm", "km", "dm", "degC", "degF",    "rad", "deg"};
 
@@ -92,7 +93,8 @@ bool isUnitByte(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-// Behind the integer exponent that begins there, or the place itself where none does; nothing for a sign or ^ alone.
+// Returns the place behind the integer exponent that begins at `at`, or `at` if there is none; nullopt for a sign or ^
+// alone.
 std::optional<std::size_t> behindExponent(const std::string& text, std::size_t at) {
   const std::size_t power = at + (text.compare(at, 1, "^") == 0 ? 1 : 0);
   const std::size_t digits = power + (text.compare(power, 1, "-") == 0 ? 1 : 0);
@@ -100,8 +102,8 @@ std::optional<std::size_t> behindExponent(const std::string& text, std::size_t a
   return end == digits && digits > at ? std::nullopt : std::optional(end);
 }
 
-// One unit expression: words between blanks, `*` and `/`, with integer exponents; the grammar of UDUNITS allows
-// numbers, origins ("since") and logarithms in it as well.
+// True for one unit expression: words between blanks, `*` and `/`, with integer exponents. The grammar of UDUNITS also
+// allows numbers, origins ("since") and logarithms.
 bool isUnitExpression(const std::string& text) {
   static const std::array<const char*, 5> kOrigins = {"since", "from", "after", "ref", "per"};
   if (text.find('%') != std::string::npos) {
@@ -135,7 +137,7 @@ UnitPointer parseUnit(const std::string& text) {
   return {is_unit ? ut_parse(unitSystem(), text.c_str(), UT_UTF8) : nullptr, ut_free};
 }
 
-// UDUNITS takes the radian for the number 1; the definition of the unit shows whether it is in there.
+// UDUNITS converts the radian to the number 1; the definition of the unit shows whether it contains one.
 bool containsAngle(const ut_unit* unit) {
   char text[256];
   const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
@@ -148,7 +150,7 @@ bool areConvertible(const ut_unit* from, const ut_unit* to) {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// The text with each of its words as a unit of this field is written, where it is near one.
+// Replaces each word of the text by the common unit that it resembles, if any.
 std::string respelt(const std::string& text) {
   static const std::vector<std::string> kUnits = {"N",   "kN",   "MN",     "m",     "mm",     "um",  "cm", "s",
                                                   "ms",  "Hz",   "kHz",    "rad",   "deg",    "kg",  "J",  "min",
@@ -164,7 +166,7 @@ std::string respelt(const std::string& text) {
   return result;
 }
 
-// " (did you mean 'kN/mm'?)" for "kn/mm", where that converts to the unit that is wanted.
+// Returns " (did you mean 'kN/mm'?)" for "kn/mm" if that converts to the unit that is wanted.
 std::string spellingHint(const std::string& text, const ut_unit* wanted) {
   constexpr std::size_t kLongestUnit = 20;
   const std::string other = text.size() <= kLongestUnit ? respelt(text) : text;
@@ -187,7 +189,7 @@ bool endsInGroups(const std::string& digits, std::size_t first, char separator) 
   return (digits.size() - first) % 4 == 0;
 }
 
-// Text behind a number that is no unit: a decimal comma, or separators of thousands.
+// Throws if a decimal comma or separators of thousands follow a number, rather than a unit.
 void refuseSeparators(const std::string& text, std::size_t length) {
   const char separator = length < text.size() ? text[length] : ' ';
   if (text.compare(length, 3, " 1/") == 0) {  // "2e-4 1/J"
@@ -222,7 +224,8 @@ void refuseSeparators(const std::string& text, std::size_t length) {
 
 std::size_t signLength(const std::string& text) { return !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0; }
 
-// The length of the decimal number that the text begins with: strtod would take "0x1p3", "infinity" and the like too.
+// Returns the length of the decimal number that the text begins with; strtod accepts "0x1p3", "infinity" and the like,
+// too.
 std::size_t numberLength(const std::string& text) {
   const std::size_t begin = signLength(text);
   if (begin == text.size() || !(isDigit(text[begin]) || text[begin] == '.')) {
@@ -296,7 +299,7 @@ UnitConversion::UnitConversion(const std::string& from, const std::string& to) {
   }
   const ConverterPointer converter(ut_get_converter(source.get(), target.get()), cv_free);
   offset_ = cv_convert_double(converter.get(), 0.0);
-  if (!std::isfinite(offset_)) {  // the library turns Hz into s
+  if (!std::isfinite(offset_)) {  // the library converts Hz to s
     throw std::invalid_argument(
         fmt::format("unit {} is the reciprocal of a unit that can be converted to {}", quoted(from), to));
   }

@@ -1,4 +1,4 @@
-// Wrenches over poses, as CSV.
+// Writes wrenches over poses as CSV.
 #include <fmt/format.h>
 
 #include <iterator>
