@@ -404,7 +404,6 @@ log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, cons
   return poses;
 }
 
-// Reads the fields that the user names.
 log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const log::LogFormat& format) {
   const auto field = [&](log::Quantity quantity) { return format.of[static_cast<std::size_t>(quantity)].column; };
   if (field(log::Quantity::displacement).empty() || !field(log::Quantity::time).empty()) {

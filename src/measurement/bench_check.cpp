@@ -1,4 +1,4 @@
-// Explanations of what the logs of a bench show beside the component; the likeliest one of each log is told.
+// Finds errors of a bench that explain its logs better than the component, and reports the likeliest one of each log.
 #include "rubber_suspension/measurement/bench_check.h"
 
 #include <fmt/format.h>
@@ -27,12 +27,12 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kPeakToPeak = 2.0;
-constexpr double kFollows = 0.7;   // correlation of a force with what it is taken for
-constexpr double kClearly = 0.35;  // of the variance: more than what it should follow explains
-// Measured phases scatter by 45 degrees about those of an explanation: a nat is a distance 1 - cos of so much.
+constexpr double kFollows = 0.7;   // correlation of a force with one that explains it
+constexpr double kClearly = 0.35;  // of the variance, beyond what the expected force explains
+// Measured phases scatter by 45 degrees about those of an explanation: one nat is a distance 1 - cos of this much.
 constexpr double kOneNat = 0.3;
 
-// A factor between measured and configured stiffness, and the units that make it, or its inverse.
+// A factor between measured and configured stiffness, and the units whose confusion makes it, or its inverse.
 struct UnitFactor {
   double factor;
   const char* units;
@@ -47,10 +47,10 @@ constexpr UnitFactor kUnitFactors[] = {
     {101.97, "kN and kgf"},         {224.8, "kN and lbf"},
 };
 
-// The factor, of at least 1, between two numbers of one sign.
+// Returns the factor, of at least 1, between two numbers of one sign.
 double apart(double one, double other) { return std::exp(std::abs(std::log(one / other))); }
 
-// No effect makes factors as large.
+// True for a factor that is larger than any effect makes.
 bool isLarge(double factor) { return apart(factor, 1.0) > 90.0; }
 
 bool isAboutTwo(double ratio) {
@@ -58,7 +58,7 @@ bool isAboutTwo(double ratio) {
   return apart(apart(ratio, 1.0), kPeakToPeak) < kExactly;
 }
 
-// The factor of units that is next to a ratio, within these tolerances.
+// Returns the factor of units that is nearest to a ratio, within the tolerance of large or small factors.
 std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_small) {
   std::optional<UnitFactor> best;
   for (UnitFactor unit : kUnitFactors) {
@@ -71,11 +71,11 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
   return best;
 }
 
-// Where nobody named the unit, a factor of hundreds leaves room for what effects do; a small one only for the
-// specification's tolerance and a little friction, or it would explain any other component.
+// Units are assumed: a large factor may be off by what effects do; a small one only by the specification's tolerance
+// and a little friction, or it would explain any other component.
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
-// The factor by which a data sheet may be off: 1.4 standard deviations need no effect.
+// The factor by which a data sheet may be off without any effect: 1.4 standard deviations.
 struct Sheet {
   explicit Sheet(double tolerance) : factor(std::exp(1.4 * tolerance)) {}
 
@@ -87,8 +87,7 @@ struct Sheet {
   bool plausible(double ratio) const { return ratio > least() && ratio < most(); }
   bool mayBe(double ratio) const { return apart(ratio, 1.0) < factor; }
 
-  // Where the units are named, a wrong one is unlikely: nothing but the sheet's tolerance, or, by hundreds, half of the
-  // stiffness more.
+  // Units are named and rarely wrong: a small factor may be off by the sheet's tolerance, a large one by half more.
   std::optional<UnitFactor> namedFactorOf(double ratio) const {
     return unitFactorOf(ratio, std::max(1.5, factor), factor);
   }
@@ -98,7 +97,7 @@ struct Sheet {
 
 const Sheet kUsualSheet(estimation::SheetTolerance::kUsual);
 
-// From rest, without the motion across: what is checked are orders of magnitude.
+// Simulates from rest, without the motion across, because orders of magnitude are checked.
 VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const log::Record& record) {
   log::Record from_rest;
   from_rest.dt = record.dt;
@@ -106,7 +105,7 @@ VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const
   return component.over(from_rest, displacement, gap::Before::nothing);
 }
 
-// What is configured. A contact, or any compliance of one side, yields to one sign of force alone.
+// The configured component. A contact, or any compliance of one side, yields to one sign of force alone.
 struct Configured {
   Configured(std::vector<element::ElementDescription> elements, double tolerance)
       : component(elements), sheet(tolerance) {
@@ -126,11 +125,11 @@ struct Configured {
 
   gap::LogDriver component;
   Sheet sheet;
-  std::string contact;                   // type of the last one; empty without any
-  std::optional<gap::LogDriver> turned;  // the component with its contacts on the other side
+  std::string contact;                   // type of the last such compliance; empty without any
+  std::optional<gap::LogDriver> turned;  // the component with such compliances on the other side
 };
 
-// What a log may be explained by as well: a delay turns the phase alone, a mass in fast motion lowers or turns the
+// Another cause of the same log: a delay changes the phase alone, a mass in fast motion lowers or reverses the
 // stiffness.
 enum class Likewise { nothing, delay, mass };
 
@@ -140,16 +139,16 @@ struct Explained {
 
   RigFinding finding;
   Likewise likewise;
-  double nats;  // for an error of all logs
+  double nats;  // evidence for an error of all logs
 };
 
 using Explanation = std::optional<Explained>;
 
-// What a log shows beside the component.
+// Comparison of a log with the component.
 struct Shown {
   Configured& configured;
   const log::Record& record;
-  Explanation own = std::nullopt;  // the likeliest of this log alone
+  Explanation own = std::nullopt;  // the likeliest by this log alone
   VectorXd simulated = {};
   std::vector<Octave> octaves = {};
   std::vector<Octave> expected = {};  // of the simulated force
@@ -159,23 +158,24 @@ struct Shown {
   double force_correlation = 0.0;  // of measured and simulated force
   double force_ratio = 0.0;        // of their standard deviations
   double period = 0.0;             // samples per typical cycle
-  // Net work of the loops, as a share of the most that there could be: with the force brought forward by what channels
-  // may be apart, and put back as much.
+  // Net work of the loops, over the largest possible: as recorded, and with the force brought forward or put back by
+  // the delay that channels may have.
   double work = 0.0;
   double work_forward = 0.0;
   double work_backward = 0.0;
   double work_deviation = 0.0;
 
-  // The force goes with the displacement by half of its variance.
+  // True if the displacement explains half of the force's variance.
   bool isElastic() const { return measured.correlation * measured.correlation > 0.5; }
   bool falls() const { return isElastic() && measured.stiffness < 0.0 && simulated_slope.correlation > 0.0; }
   bool rises() const { return isElastic() && measured.stiffness > 0.0; }
-  // Samples alone may make a loop's work a hundredth of the most that there could be, rounding a thousand millionth.
+  // Sampling may change a loop's work by a hundredth of the largest possible, rounding by a thousand millionth.
   double leastWork() const { return std::max(3.0 * work_deviation, 0.01); }
   bool givesEnergy() const { return work_forward < -leastWork(); }
   bool takesEnergy() const { return work_forward > leastWork() || work > std::max(3.0 * work_deviation, 1e-9); }
 
-  // By which the measured force is too large, if nothing else is wrong: of a damper by hundreds alone.
+  // Returns the factor by which the measured force is too large, if nothing else is wrong; for a damper only a large
+  // one.
   std::optional<double> scale() const {
     if (isElastic()) {
       return simulated_slope.stiffness > 0.0 && measured.stiffness > 0.0 ? std::optional(ratio) : std::nullopt;
@@ -185,7 +185,8 @@ struct Shown {
 
   bool isScaled() const { return !own && scale() && record.units != log::UnitsAre::accepted; }
 
-  // Log-likelihood of the measured phases [nat], where an explanation makes these of the expected ones.
+  // Returns the log-likelihood of the measured phases [nat] for an explanation, which makes them by `phase` of the
+  // expected ones.
   template <class Phase>
   double nats(Phase phase) const {
     return -phaseDistance(octaves, expected, phase) / kOneNat;
@@ -252,11 +253,11 @@ RigFinding swapFinding(const Shown& log) {
       log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
 }
 
-// True if a constant force is that of an open contact: it is the least of its sign, and the displacement is beyond all
-// with more force.
+// True if a constant force may be that of an open contact: it is the least of its sign, at displacements beyond all
+// that have more force.
 bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
   const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin).array(); };
-  const double still = 0.01 * rangeOf(record.force);  // twice what a part may have that stands still
+  const double still = 0.01 * rangeOf(record.force);  // twice the range of a part at rest
   for (const double side : {1.0, -1.0}) {
     const Eigen::ArrayXd more = side * (record.force.array() - part(record.force).mean());
     const double nearest = (more > still).select(side * record.displacement.array(), HUGE_VAL).minCoeff();
@@ -267,10 +268,10 @@ bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
   return false;
 }
 
-// A channel measured nothing, all along or in a part of the log.
+// Finds a channel that measured nothing, in all or a part of the log.
 Explanation deadChannel(const Shown& log) {
-  constexpr double kAsMuch = 0.5;   // of the force's deviation in the rest
-  constexpr double kFarther = 0.8;  // of the displacement's: less may be within a free play
+  constexpr double kAsMuch = 0.5;   // of the force's deviation in the rest of the log
+  constexpr double kFarther = 0.8;  // of the displacement's deviation: less may be within a free play
   const log::Record& record = log.record;
   for (const bool is_force : {false, true}) {
     const VectorXd& channel = is_force ? record.force : record.raw_displacement;
@@ -304,7 +305,7 @@ Explanation tooShort(const Shown& log) {
   const VectorXd step = (record.displacement.tail(count - 1) - record.displacement.head(count - 1)).cwiseAbs();
   const Index moving = (step.array() > 0.01 * rmsOf(step)).count();
   if (moving < kFewestMoving) {
-    // A step that is held, as of relaxation or creep, is not seen better in a longer log.
+    // A longer log does not help if a step is held, as in relaxation or creep.
     const bool held = 2 * moving < count;
     return fatal(record.name, finding::kTooShort, static_cast<double>(moving), "1",
                  "{} samples in motion are too few; accepted: at least {}: {}", moving, kFewestMoving,
@@ -322,7 +323,7 @@ Explanation tooShort(const Shown& log) {
   return std::nullopt;
 }
 
-// A channel without its sign follows the magnitude of the other, and not the other.
+// Finds a channel that follows the magnitude of the other rather than the other itself.
 Explanation rectified(const Shown& log) {
   const double of_force = correlationOf(log.record.force, log.simulated.cwiseAbs());
   const VectorXd magnitude = (log.record.force.array() - log.record.force.mean()).abs();
@@ -339,8 +340,7 @@ Explanation rectified(const Shown& log) {
   return std::nullopt;
 }
 
-// Noise alone, of next to nothing, neither with the displacement nor with its direction as friction is, where the
-// component has a force.
+// Finds a force of small noise alone, which follows neither the displacement nor, as friction does, its direction.
 Explanation silent(const Shown& log) {
   constexpr double kNothing = 0.05;    // of the simulated force
   constexpr double kUnrelated = 0.15;  // correlation
@@ -361,7 +361,7 @@ Explanation silent(const Shown& log) {
                record.force_deviation, 100.0 * log.force_ratio);
 }
 
-// Length unit over force unit, in SI, by which the log is one of this component with the columns exchanged.
+// Returns the length unit over the force unit, in SI, with which the log fits this component with exchanged columns.
 std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& record, const Sheet& sheet) {
   for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {
     const VectorXd displacement = units * record.force;
@@ -375,15 +375,14 @@ std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& 
   return std::nullopt;
 }
 
-// With the columns exchanged the log is one of this component, whatever the units that they were written in, and its
-// loops do not say otherwise.
+// True if the log fits this component with exchanged columns, in any units, and its loops do not contradict that.
 bool looksSwapped(const Shown& log) {
   return log.work_forward <= 3.0 * log.work_deviation &&
          unitsOfSwap(log.configured.component, log.record, log.configured.sheet);
 }
 
-// True if the phases are those of a mass that inverts the stiffness at the log's mean frequency, but not in slow
-// motion; effects are likelier by one nat.
+// True if the phases are rather those of a mass that reverses the stiffness at the log's mean frequency, but not in
+// slow motion; the mass has a prior of one nat.
 bool isTurnedAsByMass(const Shown& log) {
   std::vector<Octave> with_mass = log.expected;
   for (Octave& octave : with_mass) {
@@ -394,9 +393,9 @@ bool isTurnedAsByMass(const Shown& log) {
   return -mass / kOneNat + 1.0 > log.natsOfSign();
 }
 
-// The force falls where the displacement rises, and its loops give energy, whatever the channels' delay. A spring with
-// next to no loss tells nothing by its work; its force is the simulated one with the other sign, of whatever size: the
-// stiffness may be a guess, or its unit a wrong one.
+// Finds a force that falls where the displacement rises, with loops that create energy for any delay of the channels.
+// If a spring has hardly any loss, its work is inconclusive: its force then has to be the simulated one with the other
+// sign, of any size, because the stiffness may be a guess, or its unit wrong.
 Explanation reversedSign(const Shown& log) {
   const bool gives = log.work_backward < -log.leastWork();
   if (!log.falls() || (!gives && (log.takesEnergy() || log.force_correlation > -0.9))) {
@@ -405,14 +404,15 @@ Explanation reversedSign(const Shown& log) {
   return Explained(signFinding(log), isTurnedAsByMass(log) ? Likewise::mass : Likewise::nothing, gives ? 1.0 : 0.0);
 }
 
-// Columns of exchanged size. A factor may be that of units as well; what gives no energy is the simpler one.
+// Finds exchanged columns by the stiffness. If a wrong unit has the same factor, it is the simpler explanation unless
+// the loops create energy.
 Explanation exchangedSizes(const Shown& log) {
   const bool ask = log.rises() && log.simulated_slope.stiffness > 0.0 && !log.configured.sheet.plausible(log.ratio) &&
                    (!assumedFactorOf(log.ratio) || log.givesEnergy());
   return ask && looksSwapped(log) ? Explanation(swapFinding(log)) : std::nullopt;
 }
 
-// The unit of a channel, where nobody named it; a mass makes a log too soft by less than a power of ten.
+// Finds a wrong unit where units are assumed; a mass makes a log too soft by less than a power of ten.
 Explanation assumedUnit(const Shown& log) {
   const auto scale = log.scale();
   const bool ask = log.record.units == log::UnitsAre::assumed && scale && !log.configured.sheet.plausible(*scale);
@@ -424,8 +424,8 @@ Explanation assumedUnit(const Shown& log) {
   return Explained(unitFinding(log.record.name, *scale, *unit), soft ? Likewise::mass : Likewise::nothing);
 }
 
-// The late force of most likelihood, from so much of a typical period to three quarters of it: samples, and nats less
-// the one that a free number costs.
+// Returns the likeliest delay of the force, early or late, from `least_share` to three quarters of a typical period:
+// samples, and nats less the one for a free number.
 std::pair<double, double> bestDelay(const Shown& log, double least_share) {
   std::pair<double, double> best = {0.0, -HUGE_VAL};
   for (int i = -30; i <= 30; ++i) {
@@ -437,19 +437,19 @@ std::pair<double, double> bestDelay(const Shown& log, double least_share) {
   return best;
 }
 
-// The loops give energy or run backwards, at a stiffness that is right: the likeliest of sign, columns and delay by the
-// phases that were measured.
+// Explains loops that create energy at a plausible stiffness: by sign, columns or delay, whichever is likeliest by the
+// measured phases.
 Explanation turnedPhases(const Shown& log) {
   if (log.falls() || !log.givesEnergy() || (log.scale() && !log.configured.sheet.plausible(*log.scale()))) {
     return std::nullopt;
   }
-  // Friction or damping far beyond the configured component: its phase says nothing about this one's; reversed, it is
-  // the only force that gives energy.
+  // Friction or damping far exceeds the configured one, so that the expected phases do not apply; only a reversed sign
+  // makes it create energy.
   if (!log.isElastic() && !log.configured.sheet.plausible(log.force_ratio)) {
     return signFinding(log);
   }
-  // As stiff as configured, and not with the columns exchanged: nothing but a delay, however short. What the effect
-  // time_delay reaches is found among the effects.
+  // As stiff as configured, and not with exchanged columns: only a delay is left, however short. Delays within the
+  // range of the effect time_delay are left to the diagnosis.
   constexpr double kMostBehind = 15.0;     // samples, or
   constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
   constexpr double kMostAhead = 4.0;       // samples
@@ -473,8 +473,8 @@ Explanation turnedPhases(const Shown& log) {
   return Explained{sign > swap ? signFinding(log) : swapFinding(log), as_stiff ? Likewise::delay : Likewise::nothing};
 }
 
-// The force is that of the component whose contact carries the other sign, whatever the log seems to be then: as
-// configured the contact is open where the log has a force.
+// Finds a force that fits the component with its contact on the other side. As configured the contact is open where the
+// log has a force, so this is checked first.
 Explanation turnedContact(const Shown& log) {
   if (!log.configured.turned) {
     return std::nullopt;
@@ -493,9 +493,9 @@ Explanation turnedContact(const Shown& log) {
       log.configured.contact, as_turned, as_configured);
 }
 
-// What a log shows whose channels measured something.
+// Compares a log with the component; both channels have to change.
 void compare(Shown& log) {
-  constexpr double kForward = 1.5;        // samples: channels that far apart are no fault of a bench
+  constexpr double kForward = 1.5;        // samples; a smaller delay between channels is no fault of a bench
   constexpr double kLargestShare = 0.02;  // of a cycle
   const log::Record& record = log.record;
   log.measured = slopeOf(record.displacement, record.force);
@@ -514,7 +514,7 @@ void compare(Shown& log) {
   log.expected = CrossSpectrum(record.displacement, log.simulated).octaves();
 }
 
-// The first of these explanations that holds.
+// Returns the first of these explanations that holds.
 Explanation firstOf(std::initializer_list<Explanation (*)(const Shown&)> explanations, const Shown& log) {
   for (const auto& explain : explanations) {
     if (Explanation found = explain(log)) {
@@ -524,8 +524,8 @@ Explanation firstOf(std::initializer_list<Explanation (*)(const Shown&)> explana
   return std::nullopt;
 }
 
-// Explanations of channels leave no others; columns of exchanged size come before units and phases, since their loops
-// give energy, too.
+// A fault of a channel excludes all other explanations; exchanged columns come before units and phases, because their
+// loops create energy, too.
 Shown shownBy(const log::Record& record, Configured& configured) {
   Shown log{configured, record};
   log.own = firstOf({turnedContact, deadChannel, tooShort}, log);
@@ -540,7 +540,7 @@ Shown shownBy(const log::Record& record, Configured& configured) {
   return log;
 }
 
-// What all logs of a bench show together.
+// Evidence of all logs of a bench.
 struct Bench {
   explicit Bench(const std::vector<Shown>& logs) {
     for (const Shown& log : logs) {
@@ -553,19 +553,19 @@ struct Bench {
     }
   }
 
-  double nats = 0.0;                 // for an error of all logs
-  double fastest_right = 0.0;        // of the logs that are not turned [Hz]
-  std::vector<const Shown*> scaled;  // whose scale tells of the bench
+  double nats = 0.0;                 // evidence for an error of all logs
+  double fastest_right = 0.0;        // highest mean frequency of a log with the right sign [Hz]
+  std::vector<const Shown*> scaled;  // logs whose scale is judged
 };
 
 double medianScale(const std::vector<const Shown*>& logs) {
   return medianOf(element::each(logs, [](const Shown* log) { return *log->scale(); }));
 }
 
-// One factor in all logs, which leaves the force like the configured one in all else; or one of hundreds in a log among
-// others that are plausible, which no effect makes.
+// Finds one factor in all logs, whose force is otherwise like the configured one; or a large factor, which no effect
+// makes, in one log among others that are plausible.
 std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Shown*>& logs) {
-  constexpr double kOne = 1.5;         // between two logs: what frequency and amplitude make of it
+  constexpr double kOne = 1.5;         // between two logs, by their frequency and amplitude
   constexpr double kLike = 0.8;        // correlation
   constexpr double kJustLike = 0.995;  // for a factor that a wrong specification may make as well
   const Sheet& sheet = log.configured.sheet;
@@ -591,10 +591,10 @@ std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Show
   return unit && isLarge(unit->factor) ? std::optional(unitFinding(name, scale, *unit)) : std::nullopt;
 }
 
-// The likeliest explanation of a log, by all logs; nothing where effects on a right bench explain it as well. A
-// reversed sign, exchanged columns or a wrong unit affect all logs of a bench: each log that shows one is a nat for
-// them, each right log a nat against them, and a reversed spring without loss neither. A mass turns or softens the
-// fastest logs alone.
+// Returns the likeliest explanation of a log, by all logs; nullopt if effects explain it as well. A reversed sign,
+// exchanged columns or a wrong unit affect all logs of a bench: each log that shows one is a nat for them, each right
+// log a nat against them, and a reversed spring without loss neither. A mass reverses or softens the fastest logs
+// alone.
 std::optional<RigFinding> explanationOf(const Shown& log, const Bench& bench) {
   if (log.own) {
     const bool effect = log.own->likewise == Likewise::delay ||
@@ -604,7 +604,7 @@ std::optional<RigFinding> explanationOf(const Shown& log, const Bench& bench) {
   return log.isScaled() ? scaleOf(log, bench.scaled) : std::nullopt;
 }
 
-// The force brought forward by some samples; the ends that have no partner go.
+// Brings the force forward by some samples, and removes the ends that have no partner.
 void bringForward(Index samples, log::Record& record) {
   const Index count = record.size() - std::abs(samples);
   record.force = VectorXd(record.force.segment(std::max<Index>(samples, 0), count));

@@ -17,20 +17,22 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr Index kLongestSpike = 2;   // samples
-constexpr double kSpikeLimit = 6.0;  // deviations of the prediction; beyond chance in any log, and in 1/f noise
-// Larger share of spikes: these are the form of the signal itself rather than faults of a cable.
+constexpr double kSpikeLimit = 6.0;  // standard deviations from the prediction; beyond chance in any log, and in 1/f
+                                     // noise
+// A larger share of spikes is the form of the signal itself rather than a fault of a cable.
 constexpr double kMostSpikes = 0.01;
 // A peak that lacks a fifth of a sine's samples lacks a tenth of its range: stiffness and loss at the largest amplitude
 // cannot be determined.
 constexpr double kLargestClippedShare = 0.2;
-constexpr double kRare = 4.6;      // -ln of the probability of a mass whose jumps chance imitates, 1 %
-constexpr Index kScaleBlock = 64;  // samples over which the scatter is taken as even
+constexpr double kRare = 4.6;      // -ln of the probability, 1 %, that chance imitates a mass
+constexpr Index kScaleBlock = 64;  // samples over which the scatter is constant
 constexpr Index kAround = 6;       // samples about a spike that do not count as another visit
 constexpr Index kMostVisits = 1000;
 constexpr double kOddsOfSpike = 9.0;
-constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // of visits with a corner: a spike has five samples with one
+constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // share of visits with a corner: a spike has five such
+                                                          // samples
 
-// Share of the samples that equal the one before, extremes and long runs apart.
+// Share of the samples that equal the preceding one, except at extremes and in long runs.
 constexpr double kFewRepeats = 0.02;
 double repeats(const VectorXd& samples) {
   constexpr Index kLong = 4;
@@ -46,8 +48,8 @@ double repeats(const VectorXd& samples) {
   return static_cast<double>(equal) / static_cast<double>(samples.size());
 }
 
-// Standard deviation about each of `count` samples of a statistic that exists from `first` to `last`, by its median
-// magnitude in blocks.
+// Returns the standard deviation about each of `count` samples of a statistic that exists from `first` to `last`, by
+// its median magnitude in blocks of `length`.
 template <class Statistic>
 VectorXd scaleAbout(Statistic statistic, Index first, Index last, Index count, Index length, double least) {
   std::vector<double> all;
@@ -82,7 +84,7 @@ struct Channel {
     return width == 1 ? values[i] - (4.0 * beside - beyond) / 6.0
                       : 0.5 * (values[i] + values[i + 1]) - 0.75 * beside + 0.25 * beyond;
   }
-  // Largest of these at a sample, signed; 0 within a number of standard deviations.
+  // Returns the largest of these at a sample, signed; 0 if all are within `limit` standard deviations.
   double corner(Index i, double limit = kSpikeLimit) const {
     double largest = 0.0;
     for (Index width = 1; width <= kLongestSpike && i >= 2 && i + width + 1 < values.size(); ++width) {
@@ -95,15 +97,15 @@ struct Channel {
   }
   const VectorXd& scaleOf(Index width) const { return width == 1 ? scale : scale_of_two; }
   const char* name() const { return is_force ? "force" : "displacement"; }
-  double coarseStep() const { return step > 1e-4 * range ? step : 0.0; }  // 0: of a fine sensor
+  double coarseStep() const { return step > 1e-4 * range ? step : 0.0; }  // 0 for a fine sensor
 
   const VectorXd& values;
   bool is_force;
   double highest;
   double lowest;
   double range;
-  double step;            // smallest step, of a coarse sensor
-  bool noisy;             // its values hardly ever repeat, but at its extremes
+  double step;            // smallest step between samples
+  bool noisy;             // its values hardly ever repeat, except at its extremes
   VectorXd scale;         // standard deviation of the deviation of one sample
   VectorXd scale_of_two;  // that of two samples
 };
@@ -117,8 +119,8 @@ Channel::Channel(const VectorXd& samples, bool of_force)
       step(smallestStep(samples)),
       noisy(repeats(samples) < kFewRepeats),
       scale(samples.size()) {
-  // A log that stands still for most of the time has no scatter. This is the least deviation that counts there: a
-  // hundred thousandth of the range, and one step of the sensor.
+  // A log that is at rest for most of the time has no scatter, so the scale is at least a hundred thousandth of the
+  // range, and one step of the sensor.
   const double least = std::max(1e-5 * range, std::min(step, 0.01 * range));
   const auto scale_for = [&](Index width) {
     return scaleAbout([&](Index i) { return deviation(i, width); }, 2, values.size() - width - 1, values.size(),
@@ -136,8 +138,8 @@ struct Hole {
   double prediction;  // of that sample, from its neighbours
 };
 
-// The smallest deviation of a sample from straight lines and from a cubic through its neighbours, if these agree on the
-// sign: a step or a kink lies on one of the lines.
+// Returns how far samples exceed three straight lines through their neighbours (left, right and between both), if the
+// signs agree and the lines are closer to each other than that: a step or a kink lies on one of the lines.
 std::optional<Hole> holeAt(const VectorXd& x, Index begin, Index width) {
   if (begin < 2 || begin + width + 1 >= x.size()) {
     return std::nullopt;
@@ -150,7 +152,7 @@ std::optional<Hole> holeAt(const VectorXd& x, Index begin, Index width) {
   Hole hole{begin, width, 0.0, 0.0};
   double sign = 0.0;
   for (Index j = 0; j < width; ++j) {
-    const auto t = static_cast<double>(j);  // neighbours stand at -2, -1, w, w + 1
+    const auto t = static_cast<double>(j);  // neighbours are at -2, -1, w, w + 1
     const double left = b + (b - a) * (t + 1.0);
     const double right = c + (c - d) * (w - t);
     const double between = b + (c - b) * (t + 1.0) / (w + 1.0);
@@ -195,7 +197,7 @@ bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
   return false;
 }
 
-// True if the other channel has a corner there that may have caused the hole: the end of a ramp, a blow.
+// True if the other channel has a corner there that may have caused the hole, such as the end of a ramp or a blow.
 bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) {
   for (Index i = std::max<Index>(0, hole.begin - 1); i <= hole.begin + hole.width; ++i) {
     if (std::abs(other.corner(i)) / other.range > kAlike * std::abs(hole.size) / channel.range &&
@@ -206,8 +208,8 @@ bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) 
   return false;
 }
 
-// Peaks of the force that a mass makes where the speed of the displacement jumps. The jumps may be within its noise
-// from sample to sample: they are changes of slope over many.
+// Peaks of the force that a mass makes where the speed of the displacement jumps. Noise may hide the jumps between two
+// samples, so they are measured as changes of slope over many.
 class Mass {
  public:
   Mass(const Channel& force, const VectorXd& z, const std::vector<Hole>& holes)
@@ -240,15 +242,15 @@ class Mass {
     fit(deviation, holes);
   }
 
-  // True if the jump is more like that of the mass than like none.
+  // True if the jump at a hole is more than half of that of the mass.
   bool explains(const Hole& hole) const {
     const Index at = middleOf(hole);
     return jump_[at] / (peakAt(at) * jump_over_peak_) > 0.5;
   }
 
  private:
-  static constexpr Index kReach = 64;  // samples over which a jump shows at most
-  static constexpr Index kBeside = 3;  // samples within which the place of a jump is known
+  static constexpr Index kReach = 64;  // samples around a jump in which it shows at most
+  static constexpr Index kBeside = 3;  // samples to which the place of a jump is known
 
   static Index middleOf(const Hole& hole) { return hole.begin + (hole.width - 1) / 2; }
 
@@ -261,8 +263,8 @@ class Mass {
     return peak;
   }
 
-  // Fits one mass to all holes and to all jumps beyond chance. It has to explain more than half of both, and chance may
-  // rarely imitate it.
+  // Fits one mass to all holes and to all significant jumps. It has to explain more than half of both, and to be
+  // unlikely by chance.
   void fit(const VectorXd& deviation, const std::vector<Hole>& holes) {
     double product = 0.0;
     double peaks = 0.0;
@@ -293,7 +295,7 @@ class Mass {
 
   const Channel& force_;
   VectorXd jump_;                     // of the slope of the displacement [per sample]
-  double jump_over_peak_ = HUGE_VAL;  // of the mass; without any, nothing is explained
+  double jump_over_peak_ = HUGE_VAL;  // of the mass; infinite without any, so that nothing is explained
 };
 
 // True if a corner at or beside a sample is as sharp as a hole is deep, and to the same side.
@@ -302,9 +304,9 @@ bool alikeAt(const Channel& channel, Index i, const Hole& hole) {
   return sharp(i - 1) || sharp(i) || sharp(i + 1);
 }
 
-// True if the force has such corners, too, at other visits to the same place of the displacement at a similar speed (a
-// bump stop that is hit each cycle, a clearance). The share of visits with a corner may have any value; beside spikes
-// it is small. The prior of a spike is 0.9, and the likelier of both is believed.
+// True if the force also has such corners at other visits to the same displacement at a similar speed, as at a bump
+// stop or in a clearance. The share of visits with a corner has any value if they belong to the place, and is small
+// beside spikes. The prior of a spike is 0.9.
 bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole& hole) {
   const VectorXd& z = other.values;
   const auto step = [&](Index i) { return z[i + 2] - z[i - 2]; };
@@ -317,7 +319,7 @@ bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole&
         std::abs(step(i) - speed) < 0.2 * std::abs(speed) + 0.01 * other.range) {
       ++visits;
       alike += alikeAt(channel, i, hole) ? 1 : 0;
-      i += kAround;  // the samples of one visit
+      i += kAround;  // skips the samples of this visit
     }
   }
   const auto others = static_cast<double>(visits - alike);
@@ -382,7 +384,7 @@ std::vector<Run> equalRuns(const VectorXd& values, Index shortest) {
 
 constexpr Index kShortestHold = 4;
 
-// Typical step between neighbours about a run.
+// Returns the typical step between neighbours about a run.
 double typicalStep(const VectorXd& values, const Run& run) {
   constexpr Index kReach = 50;
   std::vector<double> steps;
@@ -398,8 +400,8 @@ double rangeWithin(const VectorXd& values, const Run& run) {
   return rangeOf(values.segment(run.begin, run.end - run.begin));
 }
 
-// The other channel turns within so many samples of a run's end, or moves less than it scatters: a force that is
-// limited by friction changes there, too.
+// True if the other channel turns within `reach` samples of a run's end, or moves less than its scatter: a force at the
+// limit of friction changes there, too.
 bool turnsAtEnd(const VectorXd& other, const Run& run, Index reach, double scatter) {
   const Index last = run.end - 1;
   if (last < reach || last + reach >= other.size()) {
@@ -410,7 +412,7 @@ bool turnsAtEnd(const VectorXd& other, const Run& run, Index reach, double scatt
   return before * after <= 0.0 || std::min(std::abs(before), std::abs(after)) < scatter;
 }
 
-// A force with noise does not repeat while the displacement moves.
+// True if a force with noise repeats while the displacement moves.
 bool repeatsAgainstNoise(const Channel& force, const Channel& displacement, const Run& run) {
   const double moved = rangeWithin(displacement.values, run);
   return force.noisy && moved > 0.005 * displacement.range && moved > kSpikeLimit * displacement.scale[run.begin];
@@ -433,7 +435,7 @@ bool atExtreme(const Channel& channel, const Run& run) {
   return value == channel.highest || value == channel.lowest;
 }
 
-// `mask`: false for spikes, which a run may end at.
+// `mask`: false for spikes, at which a run may end.
 std::vector<Run> findHolds(const Channel& channel, const Channel& other, const Mask& mask) {
   std::vector<Run> held;
   for (const Run& run : equalRuns(channel.values, kShortestHold)) {
@@ -447,8 +449,8 @@ std::vector<Run> findHolds(const Channel& channel, const Channel& other, const M
   return held;
 }
 
-// How far the other channel bulges outwards over a run: its middle third against the thirds at the ends. Where it
-// relaxes towards a value, the bulge is inwards.
+// Returns how far the other channel bulges outwards over a run: its middle third against the thirds at the ends. A
+// channel that relaxes towards a value bulges inwards.
 double bulge(const VectorXd& other, const Run& run) {
   const Index length = run.end - run.begin;
   const Index third = std::max<Index>(1, length / 3);
@@ -462,8 +464,8 @@ struct Saturation {
   double limit = 0.0;
 };
 
-// A channel at its stop: many samples are equal to its extreme, few lie just short of it, and meanwhile the other
-// channel goes further out and comes back.
+// Finds a channel at its stop: many samples are equal to its extreme, few lie just short of it, and meanwhile the other
+// channel goes further out and returns.
 std::optional<Saturation> findSaturation(const Channel& channel, const Channel& other, double outward) {
   Saturation found;
   found.limit = outward > 0.0 ? channel.highest : channel.lowest;
@@ -489,20 +491,20 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   const double width = std::max(3.5 * channel.coarseStep(), 0.005 * channel.range);
   const auto distance = (outward * (found.limit - channel.values.array())).eval();
   const Index near = (distance > 0.0 && distance < width).count();
-  // An extremum that is merely rounded leaves as many samples on the three levels below it as on its own.
+  // An extremum that is merely rounded has as many samples on the three levels below it as on its own.
   if (found.samples < 5 || found.samples <= 2 * near) {
     return std::nullopt;
   }
   // The sign is reversed if force and displacement have opposite signs.
   const double slope = (channel.values.array() - channel.values.mean()).matrix().dot(other.values);
   bulging *= slope < 0.0 ? -1.0 : 1.0;
-  // The bulge exceeds the scatter, and that of a peak above a cut at 1 % of the range.
+  // The bulge exceeds the scatter, and that of a peak that is cut at 1 % of the range.
   const bool bulges =
       bulging > 4.0 * std::sqrt(variance) && bulging > 3e-3 * other.range * static_cast<double>(found.samples);
-  // The noise of a force vanishes at its stop, and this is not because friction is at its limit all along a stroke.
+  // The noise of a force vanishes at its stop, unlike that of friction at its limit all along a stroke.
   const bool silent =
       channel.is_force && channel.noisy && travelled < 0.2 * other.range * static_cast<double>(found.samples);
-  // Friction leaves its limit where the displacement turns, a force behind the displacement its stop in between.
+  // Friction leaves its limit where the displacement turns, a delayed force its stop between the turning points.
   const bool behind = channel.is_force && 2 * in_motion > found.samples;
   return bulges || silent || behind ? std::optional<Saturation>(found) : std::nullopt;
 }
@@ -555,7 +557,7 @@ void addSaturation(const std::string& name, const Channel& channel, const Channe
     if (!found) {
       continue;
     }
-    // Samples just below the stop are there because noise did not lift them further: one-sided, so left out, too.
+    // Samples just below the stop are excluded, too, because their noise is one-sided.
     mask = mask && (channel.scale.array() * kSpikeLimit < outward * (found->limit - channel.values.array()));
     const double share = static_cast<double>(found->samples) / static_cast<double>(mask.size());
     findings.push_back(counted(name, finding::kSaturation, static_cast<double>(found->samples),

@@ -1,4 +1,4 @@
-// The floor that small reversals set for a model with Berg's friction.
+// The error of a model with Berg's friction by small reversals and by the time before a log.
 #include "measurement/friction_noise.h"
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-// Berg's friction of a model, with its dead band (or one about the sensor's noise, if it has none) times a factor.
+// Returns Berg's friction of a model, with its dead band (or one of 4 times the sensor's noise, if it has none) times a
+// factor.
 std::vector<element::ElementDescription> bergFriction(const std::vector<element::ElementDescription>& elements,
                                                       double noise, double dead_band_factor) {
   constexpr double kOfNoise = 4.0;
@@ -26,8 +27,8 @@ std::vector<element::ElementDescription> bergFriction(const std::vector<element:
   return result;
 }
 
-// The way from the component's rest to a displacement, and from there to the record's first one. Berg's friction
-// depends on where a motion turns and not on its rate, so these three places are all of it.
+// Returns the record after a motion from the component's rest to a displacement and on to the record's first one. These
+// three places suffice, because Berg's friction depends on turning points and not on the rate.
 log::Record cameFrom(log::Record record, double displacement) {
   record.lead_in = {record.dt, {0.0, displacement, record.displacement[0]}, false};
   return record;
@@ -71,7 +72,7 @@ std::vector<Eigen::MatrixXd> frictionStarts(const std::vector<element::ElementDe
     const log::Record& record = records[r];
     starts[r].resize(record.size(), 0);
     if (friction.empty() || !record.lead_in.displacement.empty()) {
-      continue;  // what was before an excerpt is known
+      continue;  // the motion before an excerpt is known
     }
     const Eigen::VectorXd from_rest = gap::simulate(friction, {record}).front();
     starts[r].resize(record.size(), 2);

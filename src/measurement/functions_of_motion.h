@@ -1,4 +1,4 @@
-// The part of a residual that is a function of the motion, and so a missing law and no noise.
+// The part of a residual that is a function of the motion, and therefore a missing law rather than noise.
 #pragma once
 
 #include <Eigen/Core>

@@ -32,7 +32,7 @@ std::pair<double, double> jackknife(const std::vector<double>& energies, const s
   return {energy / scale, std::sqrt(variance * (count - 1.0) / count)};
 }
 
-// Parts of a log as high as they are seen from afar: lowest and highest value of each.
+// Lowest and highest value in a part of a log.
 struct Part {
   double low = 0.0;
   double high = 0.0;
@@ -46,7 +46,7 @@ std::vector<Part> partsOf(const VectorXd& values, Index length) {
   return parts;
 }
 
-// Number of swings of a signal from beyond half of its deviation on one side of its trend to beyond it on the other.
+// Returns the number of swings of a signal without trend from beyond half of its deviation on one side to the other.
 int swingsOf(const VectorXd& values, double deviation) {
   int swings = 0;
   double side = 0.0;
@@ -164,7 +164,7 @@ void CrossSpectrum::add(const VectorXd& displacement, const VectorXd& force) {
 
 DeadPart deadPart(const VectorXd& channel, const VectorXd& other, double least_of_other) {
   constexpr Index kParts = 200;
-  constexpr double kStill = 0.005;  // of the range: what a sensor's noise may be
+  constexpr double kStill = 0.005;  // of the range, for the noise of a sensor
   constexpr int kFewestSwings = 4;
   const Index length = std::max<Index>(1, channel.size() / kParts);
   const std::vector<Part> parts = partsOf(channel, length);
@@ -194,7 +194,7 @@ DeadPart deadPart(const VectorXd& channel, const VectorXd& other, double least_o
 }
 
 bool isOfAMotion(const VectorXd& force, const VectorXd& displacement, const DeadPart& dead) {
-  constexpr double kMore = 1.25;  // two parts of a log tell a hum within a quarter
+  constexpr double kMore = 1.25;  // hum differs by less than a quarter between two parts of a log
   const Index length = dead.end - dead.begin;
   const auto rest = [&](const VectorXd& values) {
     VectorXd kept(values.size() - length);

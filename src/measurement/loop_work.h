@@ -1,4 +1,4 @@
-// Properties of a log alone: the stiffness and the work of its loops, and which of its channels measured nothing.
+// Properties of a log alone: the stiffness and the work of its loops, and channels that measured nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::measurement {
 
-/// Stiffness over a quarter and half of a typical cycle: median of the slopes between pairs of samples, so that neither
-/// offsets and drifts nor bump stops and spikes count.
+/// Stiffness over a quarter and half of a typical cycle: median of the slopes between pairs of samples, which offsets,
+/// drifts, bump stops and spikes hardly affect.
 struct Slope {
   double stiffness = 0.0;    ///< [N/m]
   double correlation = 0.0;  ///< of both differences
@@ -19,23 +19,23 @@ struct Slope {
 
 Slope slopeOf(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-/// 2 pi times a typical frequency, per sample.
+/// Returns 2 pi times a typical frequency, per sample: RMS step over standard deviation.
 double typicalPhase(const Eigen::VectorXd& displacement);
 
-/// Displacement and force over octaves where the displacement is, in one window.
+/// Spectrum of displacement and force in one window over one octave, as far as the displacement is excited.
 struct Octave {
   double frequency = 0.0;          ///< cycles per sample
   std::complex<double> cross = 0;  ///< conj(Z) F
   double power = 0.0;              ///< |Z|^2
 };
 
-/// Cross-spectrum: mean over all half-overlapped Hann windows of a quarter of the log.
+/// Cross-spectrum over half-overlapped Hann windows of a quarter of the log.
 class CrossSpectrum {
  public:
   CrossSpectrum(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-  /// Net work of the loops, as a share of the most that there could be, with the force brought forward by some samples:
-  /// positive where they take energy; its standard deviation by leaving out one window after the other.
+  /// Returns the net work of the loops, over the largest possible, with the force brought forward by some samples:
+  /// positive if they dissipate energy; and its standard deviation by the jackknife over windows.
   std::pair<double, double> work(double forward) const;
 
   std::vector<Octave> octaves() const;
@@ -46,7 +46,8 @@ class CrossSpectrum {
   std::vector<std::vector<Octave>> windows_;
 };
 
-/// Distance of measured phases from those of a hypothesis, 0 to 2, weighted by the force.
+/// Returns the distance of measured phases from those of a hypothesis, 0 to 2, weighted by the cross-spectrum times the
+/// frequency.
 template <class Phase>
 double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octave>& simulated, Phase phase) {
   double distance = 0.0;
@@ -65,18 +66,19 @@ double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octa
 /// A part of a log in which a channel stands still while the other continues as before.
 struct DeadPart {
   Eigen::Index begin = 0;
-  Eigen::Index end = 0;  ///< one behind; as begin: there is none
+  Eigen::Index end = 0;  ///< one past the last sample; equal to begin: there is none
 };
 
-/// The longest part of at least a tenth of the log. A hold is none, for the force relaxes in it, nor is a displacement
-/// within a free play, which is smaller than that of the rest.
+/// Returns the longest dead part of at least a tenth of the log. During it the other channel swings, unlike in a hold,
+/// in which the force relaxes, and by more than `least_of_other` of its deviation in the rest, unlike a displacement
+/// within a free play.
 DeadPart deadPart(const Eigen::VectorXd& channel, const Eigen::VectorXd& other, double least_of_other);
 
-/// True if the force at a dead displacement exceeds its part that no motion causes, such as hum, which continues in a
-/// hold: what follows neither displacement nor rate in the rest of the log.
+/// Returns true if the force at a dead displacement is larger than hum, which continues in a hold: the part of the
+/// force that follows neither displacement nor rate in the rest of the log.
 bool isOfAMotion(const Eigen::VectorXd& force, const Eigen::VectorXd& displacement, const DeadPart& dead);
 
-/// Correlation of two signals about their means; 0 where one does not change.
+/// Returns the correlation of two signals about their means; 0 if one does not change.
 double correlationOf(const Eigen::VectorXd& one, const Eigen::VectorXd& other);
 
 }  // namespace rubber_suspension::measurement

@@ -25,16 +25,16 @@ using Eigen::VectorXd;
 
 constexpr Index kFewestRepeats = 100;  // samples, for a standard deviation known to 7 %
 constexpr Index kShortestStop = 50;
-constexpr double kHarmonics = 3.0;  // of the motion, in what a law lacks
+constexpr double kHarmonics = 3.0;  // of the motion, in a missing law
 
-// The band of the motion, with the harmonics that friction and knees make of it, in cycles per sample.
+// Returns the band of the motion, with the harmonics of friction and kinks, in cycles per sample.
 ExcludedBand motionBand(const log::Record& record) {
   const std::vector<SpectrumBand> bands = spectrumBands(record.displacement, Mask::Constant(record.size(), true));
   double total = 0.0;
   for (const SpectrumBand& band : bands) {
     total += band.density * band.width;
   }
-  ExcludedBand motion{0.0, 0.0};  // slow parts of the force are creep and heat: they do not count as noise
+  ExcludedBand motion{0.0, 0.0};  // from 0: slow parts of the force are creep and heat, not noise
   double sum = 0.0;
   for (const SpectrumBand& band : bands) {
     sum += band.density * band.width;
@@ -47,7 +47,7 @@ ExcludedBand motionBand(const log::Record& record) {
   return motion;
 }
 
-// Samples at which the displacement crosses its mean upwards, by a twentieth of its range.
+// Returns the samples at which the displacement crosses its mean upwards, after it was below by 2 % of its range.
 std::vector<Index> upcrossings(const VectorXd& displacement) {
   const double mean = displacement.mean();
   const double margin = 0.02 * rangeOf(displacement);
@@ -68,7 +68,7 @@ struct Differences {
   std::vector<double> force;
   std::vector<double> displacement;
   std::vector<double> speed;
-  double lag = 0.0;  // sum over all, samples
+  double lag = 0.0;  // sum over all [samples]
 };
 
 bool hasRepeat(const VectorXd& z, Index begin, Index lag) {
@@ -107,7 +107,7 @@ Differences secondDifferences(const log::Record& record, const Mask& mask) {
   return differences;
 }
 
-// Share of the noise's variance that second differences at a lag keep, 1 for white noise.
+// Returns the share of the noise's variance that second differences at a lag keep, 1 for white noise.
 double keptShare(const NoiseModel& noise, double lag) {
   constexpr int kLines = 4000;
   double kept = 0.0;
@@ -122,13 +122,13 @@ double keptShare(const NoiseModel& noise, double lag) {
   return kept / all;
 }
 
-// Variance of noise whose slow part counts up to what a rig may add.
+// Returns the variance of noise, with its slow part limited to what a rig may add.
 double withSlowPart(double fast_variance, double slow_variance, double slow_noise) {
   return fast_variance + std::clamp(slow_variance, 0.0, slow_noise * slow_noise);
 }
 
-// Power of single lines beside the motion, such as hum: what a machine adds, and no noise. Of a band whose mean is far
-// beyond what its median tells, what is above that.
+// Returns the power of single lines beside the motion, such as hum, which a machine adds and which is no noise: the
+// excess of a band's mean over its level by the median, if the mean is far above.
 double powerOfLines(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   constexpr double kFar = 3.0;
   const double motion = motionBand(record).high / kHarmonics;
@@ -141,19 +141,19 @@ double powerOfLines(const log::Record& record, const VectorXd& residual, const M
   return power;
 }
 
-// Lines are in the repeats as well, unless they are harmonics of the motion.
+// Removes lines, which are in the repeats as well unless they are harmonics of the motion.
 double withoutLines(double deviation, const log::Record& record, const VectorXd& residual, const Mask& mask) {
   return std::sqrt(std::max(0.0, deviation * deviation - powerOfLines(record, residual, mask)));
 }
 
-// Deviation of the residual where the freedom of the fits is taken off.
+// Returns the standard deviation of a residual, corrected for the degrees of freedom of the fits.
 double unbiased(double square, Index count, Index freedom) {
   return std::sqrt(square / static_cast<double>(std::max<Index>(1, count - freedom)));
 }
 
-// From repeats of the same cycle: second differences over three cycles, freed of what displacement and speed differ by.
-// Slow noise, which the differences take out, is put back by the colour of the residual's spectrum. 0 where fewer than
-// 100 samples repeat.
+// Estimates the noise from repeats of the same cycle: second differences over three cycles, without the part that
+// differences of displacement and speed explain. Slow noise, which the differences remove, is added by the colour of
+// the residual's spectrum. 0 if fewer than 100 samples repeat.
 double noiseFromRepeats(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
   const Differences differences = secondDifferences(record, mask);
   const auto count = static_cast<Index>(differences.force.size());
@@ -172,9 +172,9 @@ double noiseFromRepeats(const log::Record& record, const VectorXd& residual, con
   return std::sqrt(withSlowPart(fast, fast / kept - fast, slow_noise));
 }
 
-// Where the displacement stands still, each stop freed of a quadratic trend. 0 where it hardly does.
+// Estimates the noise at standstill, without a quadratic trend of each stop. 0 if there is too little of it.
 double noiseFromStandstill(const log::Record& record, const Mask& mask) {
-  constexpr double kStill = 1e-6;  // of the stroke: a force from such a motion is far below any noise
+  constexpr double kStill = 1e-6;  // of the range: a force from such a motion is far below any noise
   const VectorXd& z = record.displacement;
   const double still = kStill * rangeOf(z) + 4.0 * record.displacement_noise;
   double square = 0.0;
@@ -202,10 +202,10 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
   return count >= kFewestRepeats ? unbiased(square, count, freedom) : 0.0;
 }
 
-// From the spectrum of a residual outside of the motion's band, carried on into it. 0 where too little of the spectrum
-// lies outside.
+// Estimates the noise from the spectrum of a residual outside of the motion's band, extrapolated into it. 0 if too
+// little of the spectrum lies outside.
 double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
-  constexpr double kFewestOutside = 0.1;  // cycles per sample of the spectrum's half
+  constexpr double kFewestOutside = 0.1;  // cycles per sample, of 0.5 in all
   const ExcludedBand motion = motionBand(record);
   if (0.5 - motion.high < kFewestOutside) {
     return 0.0;
@@ -245,7 +245,7 @@ ArrayXXd powerInWindows(const VectorXd& signal, const Mask& mask, const std::vec
   return power;
 }
 
-// Largest log-likelihood of normal values of any mean and of a variance between two.
+// Returns the largest log-likelihood of normal values of any mean and of a variance between two.
 double likelihoodOf(const ArrayXd& values, double least, double most) {
   const double square = (values - values.mean()).square().mean();
   const double variance = std::clamp(square, least, most);
@@ -264,7 +264,7 @@ double noiseFloor(const log::Record& record, const VectorXd& residual, const Mas
   }
   floor = floor > 0.0 ? floor : by_spectrum > 0.0 ? by_spectrum : noiseFromStandstill(record, mask);
   floor = floor > 0.0 ? std::min(floor, left) : left;
-  // A step of the sensor, evenly rounded; and what rounding in arithmetic leaves.
+  // At least the rounding to a step of the sensor, and that of arithmetic.
   return std::max({floor, smallestStep(record.force) / std::sqrt(12.0), 1e-12 * rangeOf(record.force)});
 }
 
@@ -295,11 +295,12 @@ double evidenceOfNoise(const log::Record& record, const VectorXd& residual, cons
       continue;
     }
     const double lines = std::exp2(static_cast<double>(octave));
-    const double variance = kEven * kEven + boost::math::trigamma(0.5 * (lines + 1.0));  // a Hann window joins lines
+    const double variance = kEven * kEven + boost::math::trigamma(0.5 * (lines + 1.0));  // a Hann window correlates
+                                                                                         // lines
     const ArrayXd logarithms = power.col(octave).max(kLeast * mean).log();
     double by_motion = -HUGE_VAL;
     for (const ArrayXd& motion : {ArrayXd(of_force.col(octave)), ArrayXd(of_force.rowwise().sum())}) {
-      for (const double exponent : {0.5, 1.0}) {  // friction does not grow as the rest of the force
+      for (const double exponent : {0.5, 1.0}) {  // friction grows less than other forces
         const ArrayXd expected = motion.pow(exponent) / motion.pow(exponent).mean() + white / mean + kLeast;
         by_motion = std::max(by_motion, likelihoodOf(logarithms - expected.log(), variance, HUGE_VAL));
       }

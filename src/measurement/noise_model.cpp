@@ -1,4 +1,4 @@
-// White noise, 1/f noise and a filter: estimated from a signal, and undone.
+// Estimation of white noise, 1/f noise and a filter from a signal, and whitening.
 #include "rubber_suspension/measurement/noise_model.h"
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@ using Eigen::VectorXd;
 constexpr Index kFewestSamples = 32;
 constexpr double kTimeConstantRatio = 4.0;
 constexpr std::size_t kHighestOrder = 20;  // of the filter
-// White noise that is taken to be there below any filter (30 dB lower): what a simulation errs by between samples is
-// not to be weighed by what an anti-aliasing filter leaves of the noise near half of the sampling rate.
+// White noise that is assumed 30 dB below any filtered one: otherwise errors of a simulation between samples would have
+// a large weight near half of the sampling rate, where an anti-aliasing filter passes hardly any noise.
 constexpr double kWhiteShare = 1e-3;
 
 // One first-order process of the 1/f part.
@@ -31,8 +31,8 @@ struct SlowPart {
   double variance;  // as a share of the whole 1/f part
 };
 
-// Time constants from a quarter of a sample, so that the spectrum continues to its end, to the length of the log;
-// variances that add up to a spectrum of 1/f^exponent.
+// Returns processes with time constants from one sample to the length of the log, and variances that add up to a
+// spectrum of 1/f^exponent.
 std::vector<SlowPart> slowParts(double exponent, Index samples) {
   std::vector<SlowPart> parts;
   double sum = 0.0;
@@ -46,7 +46,7 @@ std::vector<SlowPart> slowParts(double exponent, Index samples) {
   return parts;
 }
 
-// One-sided spectral density of the 1/f part at variance 1.
+// Returns the one-sided spectral density of the 1/f part at variance 1.
 double colouredShape(const std::vector<SlowPart>& parts, double frequency) {
   const double cosine = std::cos(2.0 * element::kPi * frequency);
   double sum = 0.0;
@@ -64,7 +64,7 @@ struct SpectralFit {
   double variance = 0.0;  // of both
 };
 
-// Whittle's likelihood; the scale follows from the shape in closed form.
+// Maximises Whittle's likelihood for a share; the variance follows from the shape in closed form.
 SpectralFit fitShare(const std::vector<SpectrumBand>& bands, const std::vector<double>& shape, double share) {
   SpectralFit fit;
   fit.share = share;
@@ -94,11 +94,11 @@ SpectralFit fitExponent(const std::vector<SpectrumBand>& bands, double exponent,
   return best;
 }
 
-// From where on a filter cuts the spectrum off: falling faster than any 1/f noise, and never back. 0.5 where it does
-// not.
+// Returns the frequency at which a filter cuts the spectrum off: from there on it falls faster than any 1/f noise and
+// does not return. 0.5 without such a frequency.
 double cutOff(const std::vector<SpectrumBand>& bands) {
   constexpr std::size_t kOctave = 6;     // bands
-  constexpr double kSteepest = -2.6;     // slope of the spectrum that is a filter's
+  constexpr double kSteepest = -2.6;     // a steeper slope of the spectrum is that of a filter
   constexpr double kFewestLines = 10.0;  // for the level of a band to be known to a third
   for (std::size_t i = 0; i + kOctave < bands.size(); ++i) {
     if (bands[i].lines < kFewestLines || bands[i].density <= 0.0) {
@@ -120,7 +120,7 @@ std::vector<SpectrumBand> countingBands(const std::vector<SpectrumBand>& all, co
   std::vector<SpectrumBand> outside;
   std::copy_if(all.begin(), all.end(), std::back_inserter(outside),
                [&](const SpectrumBand& band) { return !excluded.contains(band.frequency); });
-  // Above a quarter of a cycle per sample, aliases bend the 1/f law of the processes; elsewhere there is plenty.
+  // Above a quarter of a cycle per sample, aliases bend the 1/f law of the processes; the other bands suffice.
   const double cut = std::min(cutOff(outside), 0.25);
   std::vector<SpectrumBand> counting;
   std::copy_if(outside.begin(), outside.end(), std::back_inserter(counting),
@@ -128,7 +128,7 @@ std::vector<SpectrumBand> countingBands(const std::vector<SpectrumBand>& all, co
   return counting.size() >= 4 ? counting : outside;
 }
 
-// Where the log-likelihood over the exponent falls by 1.92 from its largest value.
+// Returns the 95 % interval of the exponent, where the log-likelihood is within 1.92 of its largest value.
 std::array<double, 2> profileInterval(const std::vector<double>& exponents, const std::vector<double>& profile) {
   constexpr double kDrop = 1.92;
   const double best = *std::max_element(profile.begin(), profile.end());
@@ -139,7 +139,8 @@ std::array<double, 2> profileInterval(const std::vector<double>& exponents, cons
       interval[1] = std::max(interval[1], exponents[i]);
     }
   }
-  // The grid's own step to either side; as much is a sum of processes off from 1/f near half of the sampling rate.
+  // Wider by the grid's step on either side, which also covers how far a sum of processes is off from 1/f near half of
+  // the sampling rate.
   const double step = exponents[1] - exponents[0];
   return {interval[0] - step, interval[1] + step};
 }
@@ -188,8 +189,8 @@ std::vector<std::pair<Index, Index>> runsOf(const Mask& mask) {
   return runs;
 }
 
-// Burg's method over runs (Burg 1975; Kay, Modern Spectral Estimation, 1988, ch. 7): the reflection coefficients, of
-// the order of lowest Bayesian information criterion.
+// Estimates the reflection coefficients by Burg's method over runs (Burg 1975; Kay, Modern Spectral Estimation, 1988,
+// ch. 7), of the order of lowest Bayesian information criterion.
 void fitFilter(const VectorXd& signal, const Mask& mask, NoiseModel& model) {
   const auto runs = runsOf(mask);
   const auto count = static_cast<double>(mask.count());
@@ -241,7 +242,7 @@ void fitFilter(const VectorXd& signal, const Mask& mask, NoiseModel& model) {
   model.reflection = reflection;
 }
 
-// Large single values would broaden every estimate; what is beyond six robust deviations is drawn there.
+// Limits values to six robust deviations, because single large ones would increase every estimate.
 VectorXd clamped(const VectorXd& signal, const Mask& mask) {
   const double limit = 6.0 * robustDeviation(signal, mask);
   return limit > 0.0 ? VectorXd(signal.cwiseMin(limit).cwiseMax(-limit)) : signal;
@@ -253,7 +254,7 @@ VectorXd centred(const VectorXd& signal, const Mask& mask) {
   return signal.array() - mean;
 }
 
-// Whittle's log-likelihood of a model.
+// Returns Whittle's log-likelihood of a model.
 double whittle(const NoiseModel& model, const std::vector<SpectrumBand>& bands) {
   double sum = 0.0;
   for (const SpectrumBand& band : bands) {
@@ -263,7 +264,7 @@ double whittle(const NoiseModel& model, const std::vector<SpectrumBand>& bands) 
   return sum;
 }
 
-// How far bands are from a model, in mean: half for a true one, for each band is known to a chi-square.
+// Returns the mean misfit of bands to a model: about half for a true one, by the chi-square scatter of each band.
 double misfit(const NoiseModel& model, const std::vector<SpectrumBand>& bands) {
   double sum = 0.0;
   for (const SpectrumBand& band : bands) {
@@ -277,7 +278,7 @@ double misfit(const NoiseModel& model, const std::vector<SpectrumBand>& bands) {
 
 bool continuesInto(const ExcludedBand& excluded, const VectorXd& signal, const Mask& mask) {
   constexpr double kDrop = 3.9;    // half of chi-square with 3 parameters at 95 %
-  constexpr double kMisfit = 1.0;  // twice what chance leaves
+  constexpr double kMisfit = 1.0;  // twice the misfit by chance
   if (mask.count() < kFewestSamples || meanSquare(signal, mask) <= 0.0) {
     return false;
   }
@@ -314,7 +315,7 @@ NoiseModel estimateNoise(const VectorXd& signal, const Mask& mask, const Exclude
     return model;
   }
   std::vector<SpectrumBand> all = spectrumBands(values, mask);
-  if (excluded.high > excluded.low) {  // hum and resonances beside the motion are no noise
+  if (excluded.high > excluded.low) {  // hum and resonances outside of the motion's band are no noise
     for (SpectrumBand& band : all) {
       band.density = excluded.contains(band.frequency) ? band.density : band.level;
     }
@@ -336,7 +337,7 @@ NoiseModel estimateNoise(const VectorXd& signal, const Mask& mask, const Exclude
     model.carried = std::sqrt(std::max(0.0, carried));
     return model;
   }
-  // Near white, or white within the band that counts: the filter does the rest.
+  // The signal is now nearly white, at least in the bands that count; the filter models the remainder.
   const Whitener whitener(model, mask);
   fitFilter(whitener(values).col(0), mask, model);
   return model;
@@ -426,10 +427,10 @@ VectorXd Whitener::withoutSlowParts(const VectorXd& column) const {
   return result;
 }
 
-// The lattice, from the start of each run with as many stages as there are samples before.
+// Applies the lattice; each run begins with as many stages as there are samples before.
 void Whitener::filter(VectorXd& column) const {
   const std::size_t order = reflection_.size();
-  std::vector<double> backward(order + 1, 0.0);  // of the sample before, behind each stage
+  std::vector<double> backward(order + 1, 0.0);  // backward errors of the preceding sample, behind each stage
   std::size_t known = 0;                         // samples of the run so far
   for (Index i = 0; i < column.size(); ++i) {
     if (!mask_[i]) {
@@ -463,7 +464,8 @@ Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& columns) const {
 }
 
 std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model) {
-  // Beyond the criterion of information: by chance in less than one log in a thousand (chi-square of 2 parameters).
+  // Stricter than the information criterion: exceeded by chance in less than one log in a thousand (chi-square of 2
+  // parameters).
   constexpr double kEvidence = 6.9;
   if (!model.isColoured() || model.evidence < kEvidence) {
     return std::nullopt;

@@ -1,4 +1,4 @@
-// A log made ready for fits.
+// Preparation of logs for fits.
 #include "rubber_suspension/measurement/prepared_log.h"
 
 #include <fmt/format.h>
@@ -13,10 +13,10 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-constexpr double kFewestUsable = 0.5;  // with less, bridges would be judged rather than samples
+constexpr double kFewestUsable = 0.5;  // share; with less, fits would rely on interpolated samples
 constexpr double kLongestStart = 0.1;  // of the log, for its first cycle
 
-// The first samples of a log that starts in motion: one cycle of its mean frequency.
+// Returns the number of first samples of a log that starts in motion: one cycle of its mean frequency; 0 for others.
 Eigen::Index samplesOfStart(const log::Record& record) {
   if (!startsInMotion(record)) {
     return 0;
@@ -31,7 +31,7 @@ double standardDeviation(const Eigen::VectorXd& values, const Eigen::VectorXd& c
   return std::sqrt((values.array() - mean).square().matrix().dot(counts) / count);
 }
 
-// Columns of the initial state, scaled to the size that each may have.
+// Returns the columns of the initial state, scaled by their priors.
 Eigen::MatrixXd statesOf(const RigColumns& rig) {
   std::vector<Eigen::Index> chosen;
   for (std::size_t j = 0; j < rig.nuisances.size(); ++j) {
@@ -42,8 +42,8 @@ Eigen::MatrixXd statesOf(const RigColumns& rig) {
   return rig.columns(Eigen::all, chosen) * rig.priors(chosen).asDiagonal();
 }
 
-// Orthonormal columns, without those that others represent, such as exponentials that vanish before the first sample
-// that counts.
+// Returns orthonormal columns, without dependent ones, such as exponentials that vanish before the first sample that
+// counts.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   constexpr double kIndependent = 1e-6;
   return columns.cols() == 0 ? columns : numerics::orthonormalColumns(columns, kIndependent);
@@ -56,12 +56,12 @@ enum class Start { counts, counts_at_rest };
 
 PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
   if (log.force.empty()) {
-    return {log::makeRecord(log), {}};  // which says what is missing
+    return {log::makeRecord(log), {}};  // throws, because the force is missing
   }
   const Faults faults = findFaults(log);
   if (start == Start::counts_at_rest) {
     if (log::Record raw = log::rawRecord(log, lead_in); !log::bothChange(raw)) {
-      return {std::move(raw), {}};  // the check of the bench names it
+      return {std::move(raw), {}};  // checkBench() reports it
     }
   }
   PreparedLog prepared{log::makeRecord(repaired(log, faults), std::move(lead_in)), faults.findings};

@@ -1,4 +1,4 @@
-// Nuisances of a rig: their columns, their fit, and what is told of them.
+// Nuisances of a rig: their columns, their fit, and their findings.
 #include "rubber_suspension/measurement/rig_model.h"
 
 #include <fmt/format.h>
@@ -23,14 +23,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kShift = 0.01;  // of the stroke, for the derivative by the displacement's zero
-// Relaxation times of the initial state: a sum of exponentials this far apart follows any other to 2 %.
+constexpr double kShift = 0.01;  // of the range, for the derivative by the displacement's offset
+// Ratio of the relaxation times of the initial state: a sum of exponentials this far apart follows any other to 2 %.
 constexpr double kRelaxationRatio = 4.0;
 // Longest relaxation as a share of the log: a slower one is a drift of unknown origin.
 constexpr double kSlowestRelaxation = 0.25;
-constexpr double kChance = 1e-3;  // of a finding where there is nothing to find, for each value of each log
+constexpr double kChance = 1e-3;  // probability of a false finding, for each value of each log
 constexpr double kNormal95 = 1.96;
-// RMS over the log, in units of the noise: what is less makes a gap larger by less than half a per cent of the noise.
+// RMS over the log, in units of the noise: a smaller error increases the gap by less than half a per cent of the noise.
 constexpr double kMatters = 0.1;
 
 struct Column {
@@ -54,7 +54,7 @@ void addInitialState(Index count, std::vector<Column>& columns) {
   }
 }
 
-// The signal at t - delay - clock (t - middle of the log), by cubic interpolation.
+// Returns the signal at t - delay - clock (t - middle of the log), by cubic interpolation.
 VectorXd delayed(const VectorXd& values, double delay, double clock) {
   if (delay == 0.0 && clock == 0.0) {
     return values;
@@ -74,31 +74,32 @@ VectorXd delayed(const VectorXd& values, double delay, double clock) {
   return result;
 }
 
-// Displacement of a record relative to its linearisation point, if any.
+// Returns the displacement of a record relative to its linearisation point, if any.
 VectorXd displacementOf(const std::vector<gap::PreparedRecord>& records, const std::vector<RigPoint>& points,
                         std::size_t log) {
   return records[log].displacement.array() - (points.empty() ? 0.0 : points[log].displacement_zero);
 }
 
-// Motions of a machine before the log; each leaves another force.
+// Motions of a machine before the log, each with another force after it.
 enum class Before {
-  same_motion,  // the log's first quarter, turned about its start: place and speed go on steadily
+  same_motion,  // the log's first quarter, point-mirrored about its start, so that displacement and speed are
+                // continuous
   from_above,   // down from the highest displacement
   from_below,   // up from the lowest
   from_rest,    // from the component's rest at 0
 };
 constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Before::from_below, Before::from_rest};
 
-// True if the motion before may have left the component in another state than at rest: the log begins while the machine
-// runs, or under load.
+// True if this motion may have been before the log and have changed the state of the component: the log begins while
+// the machine runs, or displaced.
 bool mayPrecede(Before kind, const log::Record& record) {
-  constexpr double kDisplaced = 0.05;  // of the range: more than a zero that nobody set
+  constexpr double kDisplaced = 0.05;  // of the range: more than an offset that nobody removed
   const bool displaced = record.lead_in.displacement.empty() &&
                          std::abs(record.displacement[0]) > kDisplaced * rangeOf(record.displacement);
   return kind == Before::from_rest ? displaced : startsInMotion(record);
 }
 
-// The displacement before the log from which the component came.
+// Returns the displacement from which the component came before the log.
 double farthest(Before kind, const VectorXd& displacement) {
   switch (kind) {
     case Before::from_above:
@@ -158,7 +159,7 @@ Index columnOf(const RigColumns& rig, Nuisance nuisance) {
   return found == rig.nuisances.end() ? -1 : static_cast<Index>(found - rig.nuisances.begin());
 }
 
-// So that values are those in all, not what is to be added to the point's.
+// Sets the base so that values are total ones, not increments on those of the linearisation point.
 void setBase(const VectorXd& force, const RigPoint& point, RigColumns& rig) {
   rig.base = force;
   const auto subtract = [&](Nuisance nuisance, double value) {
@@ -180,14 +181,14 @@ RigPoint pointOf(const RigFit& fit) {
   return {value(Nuisance::displacement_zero), value(Nuisance::delay), value(Nuisance::clock)};
 }
 
-// Rounds of weights and solution on whitened columns, and the normal equations of the last.
+// Normal equations of whitened columns, with the weights of the last round.
 struct NormalEquations {
   MatrixXd gram;
   VectorXd moment;
 };
 
 NormalEquations robustEquations(const MatrixXd& columns, const VectorXd& residual, const VectorXd& priors) {
-  constexpr int kRounds = 3;  // weights of few outliers settle at once
+  constexpr int kRounds = 3;  // weights for few outliers converge at once
   NormalEquations equations{numerics::gramOf(columns), columns.transpose() * residual};
   for (int round = 0; round < kRounds; ++round) {
     const VectorXd left = residual - columns * solveWithPriors(equations.gram, equations.moment, priors).values;
@@ -204,8 +205,7 @@ Solution withoutColumn(const NormalEquations& equations, const VectorXd& priors,
   return solveWithPriors(equations.gram, equations.moment, tight);
 }
 
-// Name of a nuisance, the unit in which it is told, and how large it may be: a tolerance that may be a share of
-// something in the record.
+// Name and unit of a nuisance in findings, and its tolerance, which may be relative to a quantity of the record.
 struct NuisanceInfo {
   const char* finding;
   const char* unit;
@@ -283,7 +283,8 @@ bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
   return significant(fit.values(columns), fit.covariance(columns, columns));
 }
 
-// A start matters while it lasts, over the samples that hold its weight; everything else over the whole log.
+// True if nuisances are large enough to report. A start in motion is averaged over the samples that contain its force,
+// everything else over the whole log.
 bool matters(const RigFit& fit, const std::vector<Index>& columns) {
   VectorXd part = VectorXd::Zero(fit.residual.size());
   bool start = false;
@@ -306,7 +307,7 @@ std::vector<Index> columnsOf(const RigFit& fit, Nuisance nuisance) {
   return columns;
 }
 
-// Finding on the initial state: its force at the first sample of the log.
+// Returns the finding on the initial state: its force at the first sample of the log.
 RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const std::vector<Index>& columns,
                                double prior) {
   double value = 0.0;
@@ -320,7 +321,7 @@ RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const
   return told(name, Nuisance::initial_state, value, std::sqrt(variance), prior);
 }
 
-// Samples until the displacement has first moved that far.
+// Returns the samples until the displacement has first moved that far.
 double timeToMove(const VectorXd& displacement, double distance) {
   for (Index i = 1; i < displacement.size(); ++i) {
     if (std::abs(displacement[i] - displacement[0]) >= distance) {
@@ -330,16 +331,17 @@ double timeToMove(const VectorXd& displacement, double distance) {
   return static_cast<double>(displacement.size());
 }
 
-// At 0 without force: nothing moved the component before, or left anything in it.
+// True for a start at 0 without force, which no earlier motion has affected.
 bool startsAtRest(const log::Record& record) {
   constexpr double kNear = 0.01;  // of the range
   return std::abs(record.displacement[0]) < kNear * rangeOf(record.displacement) && record.force.size() > 0 &&
          std::abs(record.force[0]) < kNear * rangeOf(record.force);
 }
 
-// No more than what the force at the first samples is beside that of a component that rested before [N].
+// Returns the limit of the initial state [N]: by how much the first forces differ from those of a component that was at
+// rest before.
 double mostLeft(const log::Record& record, const VectorXd& base) {
-  constexpr Index kFirst = 5;  // samples, against noise
+  constexpr Index kFirst = 5;  // samples, to average noise
   const Index count = std::min(kFirst, record.size());
   return std::abs((record.force - base).head(count).mean());
 }
@@ -352,8 +354,9 @@ bool startsInMotion(const log::Record& record) {
   if (startsAtRest(record)) {
     return false;
   }
-  // From a turning point the way grows with the square of the time, so ten times the way takes 3.2 times as long; at
-  // speed, 10 times; an amplitude that is faded in, the third root or less; after a standstill, about as long.
+  // From a turning point the displacement grows with the square of the time, so that ten times as much takes 3.2 times
+  // as long; at speed, 10 times; an amplitude that is faded in, the third root or less; after a standstill, about as
+  // long.
   constexpr double kFadedIn = 2.6;
   const double range = rangeOf(record.displacement);
   const double noise = record.passed_frequency > 0.0 ? 0.0 : record.displacement_noise;
@@ -437,7 +440,7 @@ std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated
     const VectorXd base = late(simulated[i]);
     std::vector<Column> columns = {{Nuisance::force_zero, VectorXd::Ones(record.size())}};
     if (!shifted.empty()) {
-      // Too high a displacement lets the simulation give too much.
+      // A displacement that is recorded too high makes the simulated force too large.
       columns.push_back(
           {Nuisance::displacement_zero, (base - late(shifted[i])) / (kShift * rangeOf(record.displacement))});
     }
@@ -468,8 +471,8 @@ RigFit RigModel::fit(std::size_t log, const RigColumns& columns, int iterations)
   RigFit fit;
   fit.rig = columns;
   fit.values = VectorXd::Zero(columns.priors.size());
-  // A start that leaves neither zeros nor trends in what the noise is estimated from: as white noise of the residual's
-  // own size.
+  // The first solution assumes white noise of the residual's own size, so that the noise is estimated from a residual
+  // without offsets and trends.
   const VectorXd counted = mask.cast<double>();
   const double scale = std::max(gap::standardDeviation(residual), 1e-12 * rangeOf(record.force));
   const MatrixXd masked = counted.asDiagonal() * columns.columns / scale;

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// |FFT|^2 of the windowed signal, padded to a power of two; one-sided density.
+// Returns |FFT|^2 of the windowed signal, padded to a power of two, as one-sided density.
 VectorXd periodogram(const VectorXd& signal) {
   constexpr std::size_t kShortest = 64;
   const double power = 0.375 * static_cast<double>(signal.size());  // of a Hann window
@@ -25,7 +25,8 @@ VectorXd periodogram(const VectorXd& signal) {
   return density;
 }
 
-// Mean of lines as its median tells it where single ones stand out: each is exponentially distributed.
+// Returns the mean of lines by their median, which single high lines do not raise: each line is exponentially
+// distributed.
 double levelOf(const Eigen::Ref<const VectorXd>& lines) {
   constexpr Index kEnough = 8;
   const double mean = lines.mean();
@@ -45,7 +46,7 @@ std::vector<std::complex<double>> hannSpectrum(const VectorXd& signal, std::size
 
 std::vector<SpectrumBand> spectrumBands(const VectorXd& signal, const Mask& mask) {
   constexpr double kBandRatio = 1.122462048309373;  // 2^(1/6)
-  constexpr double kHannLines = 1.5;                // lines that a Hann window joins to one
+  constexpr double kHannLines = 1.5;                // lines that a Hann window correlates
   const auto count = static_cast<double>(signal.size());
   VectorXd measured = signal;
   bridge(measured, mask);

@@ -9,7 +9,8 @@
 
 namespace rubber_suspension::measurement {
 
-/// Spectrum of a signal about its mean under a Hann window, padded to a power of two of at least this length.
+/// Returns the spectrum of a signal about its mean under a Hann window, padded to a power of two of at least this
+/// length.
 std::vector<std::complex<double>> hannSpectrum(const Eigen::VectorXd& signal, std::size_t shortest);
 
 /// Mean of the periodogram over a band.
@@ -21,8 +22,8 @@ struct SpectrumBand {
   double lines;      ///< number of independent lines in it
 };
 
-/// Bands of a sixth of an octave, at least one line each, from two cycles in the signal to half a cycle per sample.
-/// Samples that do not count are bridged by straight lines; the mean is taken out and a Hann window applied.
+/// Returns bands of a sixth of an octave, at least one line each, from two cycles in the signal to half a cycle per
+/// sample. Samples that do not count are bridged by straight lines; the mean is removed and a Hann window applied.
 std::vector<SpectrumBand> spectrumBands(const Eigen::VectorXd& signal, const Mask& mask);
 
 }  // namespace rubber_suspension::measurement

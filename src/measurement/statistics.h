@@ -25,16 +25,16 @@ inline double rmsOf(const Eigen::VectorXd& values) {
   return std::sqrt(values.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(values.size(), 1)));
 }
 
-/// Over the samples that count.
+/// Returns the mean square over the samples that count.
 inline double meanSquare(const Eigen::VectorXd& signal, const Mask& mask) {
   return (signal.array() * mask.cast<double>()).square().sum() /
          std::max<double>(1.0, static_cast<double>(mask.count()));
 }
 
-/// Straight lines over the samples that do not count, between those that do; 0 where none does.
+/// Replaces the samples that do not count by straight lines between those that do; by 0 if none does.
 inline void bridge(Eigen::Ref<Eigen::VectorXd> values, const Mask& mask) {
   const Eigen::Index count = mask.size();
-  Eigen::Index last = -1;  // that counts
+  Eigen::Index last = -1;  // last sample that counts
   for (Eigen::Index i = 0; i <= count; ++i) {
     if (i < count && !mask[i]) {
       continue;
@@ -48,7 +48,7 @@ inline void bridge(Eigen::Ref<Eigen::VectorXd> values, const Mask& mask) {
   }
 }
 
-/// The smallest difference between neighbours that is not 0: the step of a coarse sensor, tiny for a fine one.
+/// Returns the smallest difference between neighbours that is not 0: the step of a coarse sensor, tiny for a fine one.
 inline double smallestStep(const Eigen::VectorXd& values) {
   double smallest = HUGE_VAL;
   for (Eigen::Index i = 1; i < values.size(); ++i) {

@@ -40,7 +40,7 @@ void checkArguments(double frequency, double amplitude, const LoopOptions& optio
   }
 }
 
-// Displacement of every sample of a cycle; the turning points are exact.
+// Returns the displacement of every sample of a cycle; the turning points are exact.
 std::vector<double> sineDisplacement(double amplitude, double mean, int samples) {
   std::vector<double> displacement(samples);
   for (int i = 0; i < samples; ++i) {
@@ -60,7 +60,7 @@ double largestChange(const std::vector<double>& before, const std::vector<double
   return change;
 }
 
-// Runs cycles until they repeat. runCycle writes the forces of the next cycle.
+// Runs cycles until they repeat. `run_cycle` writes the forces of the next cycle.
 void settle(SettledLoop& loop, const LoopOptions& options, const std::function<void(std::vector<double>&)>& run_cycle) {
   std::vector<double> before(loop.force.size());
   double change_before = 0.0;
@@ -69,7 +69,7 @@ void settle(SettledLoop& loop, const LoopOptions& options, const std::function<v
     run_cycle(loop.force);
     ++loop.cycles;
     const double change = largestChange(before, loop.force);
-    // Sum of the geometric series that the last two changes begin; unknown while they do not fall.
+    // Sum of the geometric series that the last two changes begin; infinite while they do not fall.
     const double rate = change_before > 0.0 ? change / change_before : 1.0;
     const double to_come = change == 0.0 ? 0.0 : rate < 1.0 ? change / (1.0 - rate) : HUGE_VAL;
     // Changes at the rounding of the forces themselves follow no series.
@@ -86,7 +86,7 @@ void settle(SettledLoop& loop, const LoopOptions& options, const std::function<v
   loop.force.swap(before);
 }
 
-// The laws of a component that consists of parallel laws only; empty if it has anything else.
+// Returns the laws of a component of parallel laws only; empty if it has anything else.
 std::vector<ParallelPointer> parallelLaws(const component::Component& component) {
   std::vector<ParallelPointer> laws;
   for (const element::ElementDescription& description : component.elements()) {
@@ -99,7 +99,7 @@ std::vector<ParallelPointer> parallelLaws(const component::Component& component)
   return laws;
 }
 
-// One nonlinear law with its memory, standing at the lower turning point.
+// One nonlinear law with its memory at the lower turning point.
 struct RunningLaw {
   ParallelPointer law;
   std::vector<double> memory;
@@ -114,7 +114,7 @@ struct RunningLaw {
   }
 };
 
-// Adds to the loop what the linear laws contribute.
+// Adds the force of the linear laws to the loop.
 void addEllipse(SettledLoop& loop, std::complex<double> stiffness, double mean) {
   const int samples = static_cast<int>(loop.force.size());
   for (int i = 0; i < samples; ++i) {
@@ -169,7 +169,7 @@ void simulateWhole(SettledLoop& loop, const component::Component& component, con
   });
 }
 
-// Extreme of the parabola through values at 0, 1 and 2 steps, if it lies between `from` and `to` steps.
+// Returns the extreme of the parabola through values at 0, 1 and 2 steps, if it lies between `from` and `to` steps.
 std::optional<double> vertex(double first, double second, double third, double from, double to) {
   const double curvature = first - 2.0 * second + third;
   const double slope = 0.5 * (third - first);  // at the second value
@@ -181,8 +181,8 @@ std::optional<double> vertex(double first, double second, double third, double f
                                             : std::nullopt;
 }
 
-// The extreme of a loop near its extreme sample, by a parabola. The force has a corner at a turning point, so the
-// parabola there uses samples of one side only, on which it has its extreme.
+// Returns the extreme of a loop near its extreme sample, by a parabola. The force has a corner at a turning point, so
+// the parabola there uses samples of one side only, on which it has its extreme.
 double peak(const std::vector<double>& force, std::size_t at) {
   const std::size_t size = force.size();
   const auto value = [&](std::size_t offset) { return force[(at + size + offset - 2) % size]; };  // 2 is `at`
@@ -206,13 +206,13 @@ Characteristics SettledLoop::characteristics() const {
     loss += part;
     all += std::abs(part);
   }
-  // Below what rounding may add to the sum there is none.
+  // A loss within rounding of the sum is none.
   const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(force.size()) * all;
   loss = std::abs(loss) > rounding ? loss : 0.0;
   if (range == 0.0) {
     return {};  // nothing resists, as within free play
   }
-  // Coulomb friction fills its bounding box: the loss angle stops at 90 degrees.
+  // Coulomb friction fills its bounding box, so that the sine exceeds 1: the loss angle is at most 90 degrees.
   const double sine = std::clamp(loss / (0.5 * element::kPi * range * amplitude), -1.0, 1.0);
   return {0.5 * range / amplitude, std::asin(sine), loss};
 }
