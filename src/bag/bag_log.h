@@ -23,9 +23,8 @@ namespace rubber_suspension::bag {
 log::Log readBagLog(const std::string& path, const std::string& component = "", const log::LogFormat& format = {});
 
 /// Reads the poses of a component of six directions and, if recorded, measured wrenches and temperature from topics
-/// that end in <component>/pose, <component>/measured_wrench and <component>/temperature, matched as by readBagLog().
-/// `measure`: that of the rotations. Throws LogError as readBagLog(), for poses or wrenches whose stamps do not
-/// increase, and for a quaternion that the node would drop.
+/// that end in <component>/pose, <component>/measured_wrench and <component>/temperature, matched as by readBagLog(),
+/// with rotations in `measure`. Throws LogError, also for stamps out of order and quaternions that the node would drop.
 log::PoseLog readBagPoses(const std::string& path, const std::string& component, component::RotationMeasure measure);
 
 /// Returns true for a file that ends in .bag or begins as a bag does.
@@ -40,8 +39,7 @@ std::vector<log::Log> readAnyLogs(const std::string& path, const std::string& co
 /// Opens logs to be read block by block, as log::openLogs(); a bag is kept in memory.
 log::LogSources openAnyLogs(const std::string& path, const std::string& component, const log::LogFormat& format);
 
-/// Writes displacement and, if the log has them, measured forces, and the temperature where it changes. Throws
-/// LogError.
+/// Writes displacement and any measured forces and temperatures, the latter where they change. Throws LogError.
 void writeBagLog(const std::string& path, const std::string& component, const log::Log& log);
 
 }  // namespace rubber_suspension::bag

@@ -60,8 +60,7 @@ std::optional<Quantity> quantityWith(const std::string& bare, std::vector<std::s
   return std::nullopt;
 }
 
-// Units that are recognised behind an underscore of any name. Others are too easily a word: "displacement_in",
-// "phase_a".
+// Units that may follow an underscore in any name. Others are too easily a word: "displacement_in", "phase_a".
 bool isPlainSuffix(const std::string& unit) {
   static const std::array<const char*, 16> kUnits = {"s",  "ms", "us", "m",   "cm",  "mm",  "um",   "N",
                                                      "kN", "MN", "Nm", "kNm", "rad", "deg", "degC", "lbf"};

@@ -35,8 +35,7 @@ Field makeField(std::string_view text) {
   return {quoted ? trimmedView(text.substr(1, text.size() - 2)) : text, quoted};
 }
 
-// Returns the end of the field that begins at `begin`. A quote within a field that does not begin with one is a
-// character.
+// Returns the end of the field at `begin`. A quote within a field that does not begin with one is text.
 std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separator) {
   const std::size_t first = line.find_first_not_of(kBlanks, begin);
   const char mark = infoOf(separator).marks.front();

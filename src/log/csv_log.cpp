@@ -479,8 +479,7 @@ class CsvLogReader {
     });
   }
 
-  // Returns NaN for a field without a number, with the reason in the row. Throws for text that should have been a
-  // number.
+  // Returns NaN, with the reason in the row, for a field without a measurement. Throws for any other text.
   double readNumber(const char* field, const char* field_end, Quantity quantity) {
     char* parsed_end = nullptr;
     const double value = strtod_l(field, &parsed_end, cLocale());

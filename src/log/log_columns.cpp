@@ -154,8 +154,7 @@ void setUnit(Column& column, const std::string& unit, const LogFormat& format, Q
   }
 }
 
-// Returns the column at a place. Its unit is that of the option, else its own, else the SI unit, which notes name as
-// `assumed`.
+// Returns the column at a place. Its unit is that of the option, else its own, else the SI unit, noted as `assumed`.
 Column columnAt(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format, Quantity quantity,
                 const std::string& own, const std::string& assumed) {
   const LogFormat::Channel& channel = channelOf(format, quantity);
@@ -184,8 +183,7 @@ std::string nameHint(const std::vector<ColumnName>& header, const std::string& n
   return oneLine(element::didYouMean(name, names));
 }
 
-// Returns the unit that a header states for a column that the user named: behind its name, or in its place, as in
-// "mm,kN".
+// Returns the unit of a column that the user named: behind its name, or in its place, as in "mm,kN".
 std::string ownUnit(const ColumnName& column, Quantity quantity) {
   if (!column.unit.empty()) {
     return column.unit_known ? column.unit : "";

@@ -12,8 +12,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kMostKept = 4 * kLogBlock;  // samples; a log of no more is kept, because reading it again takes
-                                                  // longer
+constexpr std::size_t kMostKept = 4 * kLogBlock;  // samples; shorter logs are kept, which is faster
 
 class MemorySource : public LogSource {
  public:

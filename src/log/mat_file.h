@@ -14,8 +14,7 @@ struct NamedMatrix {
   std::vector<double> values;  ///< column by column
 };
 
-/// Writes a file of level 5 under a temporary name and renames it. Throws std::runtime_error with the path that cannot
-/// be written.
+/// Writes a file of level 5 under a temporary name and renames it. Throws std::runtime_error with the path.
 void writeMatFile(const std::string& path, const std::vector<NamedMatrix>& matrices);
 
 /// Checks all elements of a file of level 4 or 5: their sizes have to agree with the elements around them and the file,

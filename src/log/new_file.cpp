@@ -57,8 +57,7 @@ void watchSignals() {
   throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(error == 0 ? EIO : error)));
 }
 
-// Returns a random name, hidden, short enough for any file system, and with the extension, by which some programs
-// choose a format.
+// Returns a random hidden name, short enough for any file system, with the extension, which may select a format.
 std::string nameBeside(const std::filesystem::path& target) {
   constexpr std::size_t kLongest = 100;
   std::random_device random;

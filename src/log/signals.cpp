@@ -15,8 +15,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kLookAhead = 262144;     // rows examined at once, and samples that wait for the next value of a
-                                               // slow signal
+constexpr std::size_t kLookAhead = 262144;     // rows examined at once, and samples that await a value of a slow signal
 constexpr std::int64_t kLongestSteps = 3;      // median steps of a signal, over which it is interpolated at most
 constexpr double kBridged = 0.5;               // [s], as the node bridges by default
 constexpr std::size_t kFewestPerGap = 100;     // rows per lost one, unless --bridge is given
@@ -33,8 +32,7 @@ void requireSize(std::size_t place, const Column& column, double value) {
   }
 }
 
-// True if the middle three quarters of the values extend over far less than all: only then one may be a code of missing
-// values.
+// True if the middle three quarters span far less than all values: only then may there be a code of missing values.
 bool mayHoldSentinel(const std::vector<double>& values) {
   constexpr std::size_t kSampled = 1000;
   const std::size_t stride = values.size() / kSampled + 1;

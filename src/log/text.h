@@ -38,8 +38,7 @@ std::string lowerCase(std::string text);
 /// Returns true if all bytes belong to characters of UTF-8.
 bool isUtf8(const std::string& text);
 
-/// Returns the text in UTF-8: unchanged if it is UTF-8, else from Shift-JIS if it can only be that, else from Latin-1,
-/// in which every byte is a character.
+/// Converts text to UTF-8 from Shift-JIS if it can only be that, else from Latin-1; UTF-8 is returned unchanged.
 std::string toUtf8(const std::string& text);
 
 /// Returns the text as a terminal may show it, on one line: blanks for line ends and tabs; \xNN for control characters,

@@ -14,10 +14,9 @@ bool isTimeText(std::string_view text);
 /// Reads consecutive times. A clock without a date that falls back by more than half a day has passed midnight.
 class TimeTextReader {
  public:
-  /// Returns the time [ns], since 1970 in UTC with a date, since the first midnight without, by its zone (Z, +01:00),
-  /// AM and PM; nullopt for other text. 12/03/2025 is the 3rd of December unless its first number exceeds 12. Throws
-  /// std::runtime_error if a date of this form, which may be read in two ways, changes within the log, and for a date
-  /// that does not exist.
+  /// Returns the time [ns] by zone (Z, +01:00), AM and PM: since 1970 in UTC with a date, since the first midnight
+  /// without; nullopt for other text. 12/03/2025 is the 3rd of December unless its first number exceeds 12. Throws
+  /// std::runtime_error if such an ambiguous date changes within the log, or a date does not exist.
   std::optional<std::int64_t> read(std::string_view text);
 
  private:

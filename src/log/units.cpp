@@ -1,5 +1,4 @@
-// Physical units by UDUNITS-2. Its system of units is read once and guarded by a lock, because it is not safe for
-// threads.
+// Physical units by UDUNITS-2. Its system of units is read once and guarded by a lock, as it is not thread-safe.
 #include "rubber_suspension/log/units.h"
 
 #include <fmt/format.h>
@@ -93,8 +92,7 @@ bool isUnitByte(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-// Returns the place behind the integer exponent that begins at `at`, or `at` if there is none; nullopt for a sign or ^
-// alone.
+// Returns the place behind the integer exponent at `at`, `at` without one; nullopt for a sign or ^ alone.
 std::optional<std::size_t> behindExponent(const std::string& text, std::size_t at) {
   const std::size_t power = at + (text.compare(at, 1, "^") == 0 ? 1 : 0);
   const std::size_t digits = power + (text.compare(power, 1, "-") == 0 ? 1 : 0);
@@ -224,8 +222,7 @@ void refuseSeparators(const std::string& text, std::size_t length) {
 
 std::size_t signLength(const std::string& text) { return !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0; }
 
-// Returns the length of the decimal number that the text begins with; strtod accepts "0x1p3", "infinity" and the like,
-// too.
+// Returns the length of the decimal number at the front; strtod also accepts "0x1p3", "infinity" and the like.
 std::size_t numberLength(const std::string& text) {
   const std::size_t begin = signLength(text);
   if (begin == text.size() || !(isDigit(text[begin]) || text[begin] == '.')) {

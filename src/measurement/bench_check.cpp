@@ -174,8 +174,7 @@ struct Shown {
   bool givesEnergy() const { return work_forward < -leastWork(); }
   bool takesEnergy() const { return work_forward > leastWork() || work > std::max(3.0 * work_deviation, 1e-9); }
 
-  // Returns the factor by which the measured force is too large, if nothing else is wrong; for a damper only a large
-  // one.
+  // Returns the factor by which the measured force is too large if all else is right; for a damper only a large one.
   std::optional<double> scale() const {
     if (isElastic()) {
       return simulated_slope.stiffness > 0.0 && measured.stiffness > 0.0 ? std::optional(ratio) : std::nullopt;
@@ -185,8 +184,7 @@ struct Shown {
 
   bool isScaled() const { return !own && scale() && record.units != log::UnitsAre::accepted; }
 
-  // Returns the log-likelihood of the measured phases [nat] for an explanation, which makes them by `phase` of the
-  // expected ones.
+  // Returns the log-likelihood of the measured phases [nat] if `phase` maps the expected ones to them.
   template <class Phase>
   double nats(Phase phase) const {
     return -phaseDistance(octaves, expected, phase) / kOneNat;
@@ -404,8 +402,8 @@ Explanation reversedSign(const Shown& log) {
   return Explained(signFinding(log), isTurnedAsByMass(log) ? Likewise::mass : Likewise::nothing, gives ? 1.0 : 0.0);
 }
 
-// Finds exchanged columns by the stiffness. If a wrong unit has the same factor, it is the simpler explanation unless
-// the loops create energy.
+// Finds exchanged columns by the stiffness. A wrong unit of the same factor is the simpler cause unless the loops
+// create energy.
 Explanation exchangedSizes(const Shown& log) {
   const bool ask = log.rises() && log.simulated_slope.stiffness > 0.0 && !log.configured.sheet.plausible(log.ratio) &&
                    (!assumedFactorOf(log.ratio) || log.givesEnergy());

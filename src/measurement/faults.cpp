@@ -17,8 +17,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr Index kLongestSpike = 2;   // samples
-constexpr double kSpikeLimit = 6.0;  // standard deviations from the prediction; beyond chance in any log, and in 1/f
-                                     // noise
+constexpr double kSpikeLimit = 6.0;  // deviations from the prediction; beyond chance in any log, and in 1/f noise
 // A larger share of spikes is the form of the signal itself rather than a fault of a cable.
 constexpr double kMostSpikes = 0.01;
 // A peak that lacks a fifth of a sine's samples lacks a tenth of its range: stiffness and loss at the largest amplitude
@@ -29,8 +28,7 @@ constexpr Index kScaleBlock = 64;  // samples over which the scatter is constant
 constexpr Index kAround = 6;       // samples about a spike that do not count as another visit
 constexpr Index kMostVisits = 1000;
 constexpr double kOddsOfSpike = 9.0;
-constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // share of visits with a corner: a spike has five such
-                                                          // samples
+constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // share of visits with a corner; a spike has five of them
 
 // Share of the samples that equal the preceding one, except at extremes and in long runs.
 constexpr double kFewRepeats = 0.02;

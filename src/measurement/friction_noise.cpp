@@ -11,8 +11,7 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-// Returns Berg's friction of a model, with its dead band (or one of 4 times the sensor's noise, if it has none) times a
-// factor.
+// Returns Berg's friction of a model, its dead band (4 times the sensor's noise if it has none) times a factor.
 std::vector<element::ElementDescription> bergFriction(const std::vector<element::ElementDescription>& elements,
                                                       double noise, double dead_band_factor) {
   constexpr double kOfNoise = 4.0;

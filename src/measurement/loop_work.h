@@ -46,8 +46,7 @@ class CrossSpectrum {
   std::vector<std::vector<Octave>> windows_;
 };
 
-/// Returns the distance of measured phases from those of a hypothesis, 0 to 2, weighted by the cross-spectrum times the
-/// frequency.
+/// Returns the distance, 0 to 2, of measured phases from those of a hypothesis, weighted by |cross| times frequency.
 template <class Phase>
 double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octave>& simulated, Phase phase) {
   double distance = 0.0;
@@ -69,9 +68,8 @@ struct DeadPart {
   Eigen::Index end = 0;  ///< one past the last sample; equal to begin: there is none
 };
 
-/// Returns the longest dead part of at least a tenth of the log. During it the other channel swings, unlike in a hold,
-/// in which the force relaxes, and by more than `least_of_other` of its deviation in the rest, unlike a displacement
-/// within a free play.
+/// Returns the longest dead part of at least a tenth of the log. The other channel has to swing in it, unlike in a
+/// hold, by more than `least_of_other` of its deviation in the rest, unlike within a free play.
 DeadPart deadPart(const Eigen::VectorXd& channel, const Eigen::VectorXd& other, double least_of_other);
 
 /// Returns true if the force at a dead displacement is larger than hum, which continues in a hold: the part of the

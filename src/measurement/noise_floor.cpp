@@ -295,8 +295,7 @@ double evidenceOfNoise(const log::Record& record, const VectorXd& residual, cons
       continue;
     }
     const double lines = std::exp2(static_cast<double>(octave));
-    const double variance = kEven * kEven + boost::math::trigamma(0.5 * (lines + 1.0));  // a Hann window correlates
-                                                                                         // lines
+    const double variance = kEven * kEven + boost::math::trigamma(0.5 * (lines + 1.0));  // a Hann window joins lines
     const ArrayXd logarithms = power.col(octave).max(kLeast * mean).log();
     double by_motion = -HUGE_VAL;
     for (const ArrayXd& motion : {ArrayXd(of_force.col(octave)), ArrayXd(of_force.rowwise().sum())}) {

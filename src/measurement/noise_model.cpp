@@ -139,8 +139,7 @@ std::array<double, 2> profileInterval(const std::vector<double>& exponents, cons
       interval[1] = std::max(interval[1], exponents[i]);
     }
   }
-  // Wider by the grid's step on either side, which also covers how far a sum of processes is off from 1/f near half of
-  // the sampling rate.
+  // Wider by the grid's step, which covers how far a sum of processes is from 1/f near half of the sampling rate.
   const double step = exponents[1] - exponents[0];
   return {interval[0] - step, interval[1] + step};
 }
@@ -464,8 +463,7 @@ Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& columns) const {
 }
 
 std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model) {
-  // Stricter than the information criterion: exceeded by chance in less than one log in a thousand (chi-square of 2
-  // parameters).
+  // Stricter than the information criterion: one false finding in a thousand logs (chi-square, 2 parameters).
   constexpr double kEvidence = 6.9;
   if (!model.isColoured() || model.evidence < kEvidence) {
     return std::nullopt;

@@ -82,8 +82,7 @@ VectorXd displacementOf(const std::vector<gap::PreparedRecord>& records, const s
 
 // Motions of a machine before the log, each with another force after it.
 enum class Before {
-  same_motion,  // the log's first quarter, point-mirrored about its start, so that displacement and speed are
-                // continuous
+  same_motion,  // the log's first quarter, point-mirrored, so that displacement and speed are continuous
   from_above,   // down from the highest displacement
   from_below,   // up from the lowest
   from_rest,    // from the component's rest at 0
@@ -283,8 +282,7 @@ bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
   return significant(fit.values(columns), fit.covariance(columns, columns));
 }
 
-// True if nuisances are large enough to report. A start in motion is averaged over the samples that contain its force,
-// everything else over the whole log.
+// True if the RMS of nuisances is large enough: over the whole log, or over the duration of a start in motion.
 bool matters(const RigFit& fit, const std::vector<Index>& columns) {
   VectorXd part = VectorXd::Zero(fit.residual.size());
   bool start = false;
@@ -338,8 +336,7 @@ bool startsAtRest(const log::Record& record) {
          std::abs(record.force[0]) < kNear * rangeOf(record.force);
 }
 
-// Returns the limit of the initial state [N]: by how much the first forces differ from those of a component that was at
-// rest before.
+// Returns the limit of the initial state [N]: how much the first forces differ from those of a start from rest.
 double mostLeft(const log::Record& record, const VectorXd& base) {
   constexpr Index kFirst = 5;  // samples, to average noise
   const Index count = std::min(kFirst, record.size());
@@ -354,9 +351,8 @@ bool startsInMotion(const log::Record& record) {
   if (startsAtRest(record)) {
     return false;
   }
-  // From a turning point the displacement grows with the square of the time, so that ten times as much takes 3.2 times
-  // as long; at speed, 10 times; an amplitude that is faded in, the third root or less; after a standstill, about as
-  // long.
+  // Ten times the displacement takes 3.2 times as long from a turning point (square of the time), 10 times at speed,
+  // the third root or less with an amplitude that is faded in, and about as long after a standstill.
   constexpr double kFadedIn = 2.6;
   const double range = rangeOf(record.displacement);
   const double noise = record.passed_frequency > 0.0 ? 0.0 : record.displacement_noise;

@@ -25,8 +25,7 @@ VectorXd periodogram(const VectorXd& signal) {
   return density;
 }
 
-// Returns the mean of lines by their median, which single high lines do not raise: each line is exponentially
-// distributed.
+// Returns the mean of exponentially distributed lines, by their median, which single high lines do not raise.
 double levelOf(const Eigen::Ref<const VectorXd>& lines) {
   constexpr Index kEnough = 8;
   const double mean = lines.mean();

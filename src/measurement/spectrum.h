@@ -9,8 +9,7 @@
 
 namespace rubber_suspension::measurement {
 
-/// Returns the spectrum of a signal about its mean under a Hann window, padded to a power of two of at least this
-/// length.
+/// Returns the spectrum of a signal less its mean, in a Hann window, padded to a power of two of at least `shortest`.
 std::vector<std::complex<double>> hannSpectrum(const Eigen::VectorXd& signal, std::size_t shortest);
 
 /// Mean of the periodogram over a band.

@@ -83,8 +83,8 @@ struct LogFormat {
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate);
 
 /// Returns such a format with `--decimal ,` or `--decimal force=,`, `--segment 2` or `--segment all`, `--bridge
-/// SECONDS`, `--sentinel none` or `--sentinel -9999`, and `--clock receipt` as well; empty texts and a negative
-/// `bridge` are options that are not given. Throws std::invalid_argument likewise.
+/// SECONDS`, `--sentinel none` or `--sentinel -9999`, and `--clock receipt`; empty text, `bridge` less than 0: not
+/// given. Throws likewise.
 LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::string& units, double rate,
                         const std::string& decimal, const std::string& segment, double bridge,
                         const std::string& sentinel = "", const std::string& clock = "");
@@ -145,8 +145,7 @@ class LogCsvWriter {
 /// Writes `time_s,displacement_m,force_N` of a log with other forces, as LogCsvWriter does. Throws LogError.
 void writeForceCsv(const std::string& path, const Log& log, const std::vector<double>& force);
 
-/// Writes `time_s,displacement_m` and, if the log has a measured force, `force_N`, as LogCsvWriter does. Throws
-/// LogError.
+/// Writes `time_s,displacement_m` and any measured force as `force_N`, as LogCsvWriter does. Throws LogError.
 void writeLogCsv(const std::string& path, const Log& log);
 
 }  // namespace rubber_suspension::log

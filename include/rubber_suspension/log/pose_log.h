@@ -9,9 +9,9 @@
 
 namespace rubber_suspension::log {
 
-/// A log in SI units, by direction x, y, z, rx, ry, rz: coordinates [m, rad] of frame B in frame A, with rotations in
-/// the component's measure, and the wrench on B at B's origin in A's axes [N, N m]. All vectors that are not empty have
-/// the same length.
+/// A log in SI units by direction x, y, z, rx, ry, rz: coordinates [m, rad] of B in A in the component's rotation
+/// measure, and the wrench on B at B's origin in A's axes [N, N m]. All vectors that are not empty have the same
+/// length.
 struct PoseLog {
   using Quaternion = std::array<double, 4>;  ///< w, x, y, z
 

@@ -37,10 +37,9 @@ class UnitConversion {
   bool inverse_ = false;  // scale is the whole number to divide by, so that 38 mm is 0.038 m to the last bit
 };
 
-/// Returns the number of a quantity in text, converted to `unit`: 3e6 of "3 kN/mm" for unit "N/m". The text is one
-/// number and one unit: words between blanks, `*` and `/`, each with an integer exponent or none, `1/` at the start. A
-/// number without a unit is in `unit`. Throws std::invalid_argument with the fault of the text; the number may have any
-/// size, or not be finite.
+/// Returns the number of a quantity in `unit`: 3e6 of "3 kN/mm" for "N/m". The text is one number and one unit: words
+/// between blanks, `*` and `/`, each with an integer exponent or none, `1/` at the start. A number alone is in `unit`.
+/// Throws std::invalid_argument that names the fault of the text; the number may have any size, or not be finite.
 double parseQuantity(const std::string& text, const std::string& unit);
 
 /// Returns the unit in a quantity as text: "kN/mm" of "3 kN/mm"; empty if there is none.

@@ -24,26 +24,24 @@ namespace rubber_suspension::measurement {
 /// - swapped_columns: the loops create energy while the stiffness is positive, or the stiffness is that of the
 ///   component with force and displacement exchanged;
 /// - delay: the loops create energy because one channel is late, by more than the effect time_delay explains;
-/// - unit_factor: the stiffness is off by a factor of a wrong unit (1000, 9.81, 25.4, 4.448, 10, ...). If units are
-///   assumed (log::UnitsAre) the factor is met within 1.25, large ones within 2.5; if they are named, within 1.4
-///   tolerances of the data sheet, large ones within 1.5, in all logs alike, or by a large factor in one of several
-///   logs;
+/// - unit_factor: the stiffness is off by a factor of a wrong unit (1000, 9.81, 25.4, 4.448, 10, ...): within 1.25, or
+///   2.5 for large factors, if units are assumed (log::UnitsAre); if they are named, within 1.4 tolerances of the data
+///   sheet, or 1.5 for large factors, in all logs alike, or by a large factor in one of several logs;
 /// - other_component: the stiffness of all logs is off by one other factor, more than this tolerance and all effects of
 ///   rubber explain together;
 /// - peak_to_peak: the force is that of the component times 2, or 1/2, in all logs;
 /// - too_short: fewer than 30 samples in motion, or fewer than 4 samples per cycle.
 ///
 /// `tolerance`: standard deviation of the logarithm of the data sheet's stiffnesses (estimation::SheetTolerance),
-/// within which deviations are no fault of the bench. Factors are not checked if the user accepts the units. Where the
-/// force does not correlate with the displacement, as of a damper or a seal, only large factors (above 90) are
+/// within which deviations are no fault of the bench. Factors are not checked if the user accepts the units. If the
+/// force does not correlate with the displacement, as for a damper or a seal, only large factors (above 90) are
 /// reported. Throws std::invalid_argument for elements that make no component.
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records,
                                    double tolerance = estimation::SheetTolerance::kUsual);
 
-/// Compares measured and configured K* [N/m] of the rows of a table. Returns a finding with the name of the table: sign
-/// if all loss angles are negative, unit_factor, other_component or peak_to_peak; nullopt if effects may explain the
-/// ratio.
+/// Compares measured and configured K* [N/m] of a table's rows. Returns a finding on the table: sign if all loss angles
+/// are negative, unit_factor, other_component or peak_to_peak; nullopt if effects may explain the ratio.
 std::optional<RigFinding> checkTable(const std::string& table, const std::vector<std::complex<double>>& measured,
                                      const std::vector<std::complex<double>>& configured,
                                      double tolerance = estimation::SheetTolerance::kUsual);

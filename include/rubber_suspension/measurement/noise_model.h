@@ -74,8 +74,7 @@ class Whitener {
   std::vector<double> stage_;       // standard deviation behind each stage of the filter
 };
 
-/// Returns the finding coloured_noise with exponent and share of the noise's variance, nullopt if it is not
-/// significant.
+/// Returns the finding coloured_noise (exponent, share of the noise's variance); nullopt if it is not significant.
 std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model);
 
 /// Returns the one-sided power spectral density [unit^2 per cycle per sample] of the model's white and 1/f parts.

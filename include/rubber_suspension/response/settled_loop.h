@@ -36,12 +36,11 @@ struct SettledLoop {
 
 /// Simulates a component under a sine of this frequency [Hz] and amplitude [m] until it settles.
 ///
-/// If all elements act in parallel, the linear ones are evaluated by their K* without discretisation, and the others
-/// are simulated until they repeat; Berg friction starts on its settled loop. With effects in series (compliance, free
+/// If all elements act in parallel, linear ones are evaluated by K* without discretisation, and the others are
+/// simulated until they repeat; Berg friction starts on its settled loop. With effects in series (compliance, free
 /// play, delay, softening, heating) the whole component is simulated with displacement linear between samples, so that
 /// a dashpot lags by half a sample. A loop that does not settle within maximum_cycles (self-heating may take minutes)
-/// is returned with settled = false. Throws std::invalid_argument for a frequency, an amplitude or options out of
-/// range.
+/// has settled = false. Throws std::invalid_argument for a frequency, an amplitude or options out of range.
 SettledLoop simulateSettledLoop(const component::Component& component, double frequency, double amplitude,
                                 const LoopOptions& options = {});
 

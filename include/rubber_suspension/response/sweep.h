@@ -14,8 +14,8 @@ struct SweepPoint {
   bool settled = true;  ///< false if the simulated loop did not repeat within the cycles allowed
 };
 
-/// Returns the characteristics at one frequency [Hz] and amplitude [m]: in closed form for a linear component, from a
-/// settled simulated loop for others.
+/// Returns the characteristics at a frequency [Hz] and an amplitude [m]: in closed form for a linear component, else of
+/// a settled simulated loop.
 SweepPoint characteristicsAt(const component::Component& component, double frequency, double amplitude,
                              const LoopOptions& options = {});
 
@@ -25,8 +25,7 @@ std::vector<SweepPoint> sweepFrequency(const component::Component& component, co
 std::vector<SweepPoint> sweepAmplitude(const component::Component& component, const std::vector<double>& amplitudes,
                                        double frequency, const LoopOptions& options = {});
 
-/// Returns the characteristics at A = P/f with the product P [m Hz]; the amplitude of a track excitation falls about so
-/// (Polach Eq. 3).
+/// The amplitudes are A = P/f with the product P [m Hz], roughly as those of a track excitation (Polach Eq. 3).
 std::vector<SweepPoint> sweepConstantProduct(const component::Component& component,
                                              const std::vector<double>& frequencies, double product,
                                              const LoopOptions& options = {});
