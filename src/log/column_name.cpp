@@ -141,7 +141,7 @@ bool isSuffixOf(const std::string& bare, const std::string& suffix) {
           converts(*unit, rowOf(*quantity).unit) || (*quantity == Quantity::force && converts(*unit, "kg")));
 }
 
-// A number is no name, as in "10 mm".
+// Splits a unit off behind a mark. A number is no name, as in "10 mm".
 bool splitSuffix(ColumnName& name, char mark) {
   const std::size_t at = name.text.rfind(mark);
   if (at == std::string::npos || name.text.find_first_not_of("0123456789.,+- ") >= at) {
@@ -151,7 +151,7 @@ bool splitSuffix(ColumnName& name, char mark) {
   return (isPlainSuffix(suffix) || isSuffixOf(name.text.substr(0, at), suffix)) && splitAt(name, at, at + 1);
 }
 
-// "F/kN" and "s/mm", but neither "N/mm" nor "Stiffness N/mm", where the unit begins earlier.
+// Splits "F/kN" and "s/mm", but neither "N/mm" nor "Stiffness N/mm", where the unit begins earlier.
 bool splitSlash(ColumnName& name) {
   const std::string before = name.text.substr(0, name.text.find('/'));
   return before.find(' ') == std::string::npos && (before == "s" || !isPlainSuffix(before)) && splitSuffix(name, '/');

@@ -229,7 +229,7 @@ std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
     return std::nullopt;
   }
   lines_.push_back({line.number, toUtf8(line.text)});
-  // Two lines must follow the candidate: a row of units and a row.
+  // Two lines must follow the candidate: a row of units, if any, and a row.
   return lines_.size() < 3 ? std::nullopt : candidate(lines_.size() - 3);
 }
 

@@ -606,9 +606,9 @@ class CsvLogReader {
   std::size_t first_row_ = 0;  // line, in the segment
   std::size_t last_row_ = 0;
   std::size_t blank_line_ = 0;
-  Lines comments_;          // among the rows of the segment
-  Lines repeats_;           // of the header, within the segment
-  Lines statistics_;        // rows of statistics
+  Lines comments_;  // among the rows of the segment
+  Lines repeats_;   // of the header, within the segment
+  Lines statistics_;
   bool lettered_ = false;   // rows begin with a word
   bool by_fields_ = false;  // rows are not commas and numbers alone
   bool days_ = false;       // the time is in days of a spreadsheet

@@ -13,9 +13,9 @@ namespace rubber_suspension::log {
 std::vector<Log> readCsvLogs(const std::string& path, const LogFormat& format);
 
 /// Reads the logs of a MATLAB file (level 4 to 7.3). Its columns are real vectors of numbers: variables, named as NAME,
-/// and fields of structs, named as STRUCT.NAME; where the file holds one struct and nothing else, its name may be left
-/// out. A matrix has a column for each of its columns (rows where it is wider than long), named NAME(:,1), or 1 where
-/// the file holds nothing else. Structs that each hold a log are segments. Throws LogError.
+/// and fields of structs, named as STRUCT.NAME; if the file contains one struct and nothing else, its name may be
+/// omitted. A matrix has a column for each of its columns (rows if it is wider than long), named NAME(:,1), or 1 if the
+/// file contains nothing else. Structs that each contain a log are segments. Throws LogError.
 std::vector<Log> readMatLogs(const std::string& path, const LogFormat& format);
 
 /// Reads the logs of an HDF5 file. Its columns are one-dimensional datasets of numbers and members of compound ones,

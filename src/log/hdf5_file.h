@@ -46,8 +46,9 @@ void requireOwnData(hid_t dataset, const std::string& name);
 /// Checks all datasets of a file; does nothing for one that is no HDF5.
 void requireOwnData(const std::string& path);
 
-/// Calls `visit` with the path of each object of a file, and its handle if it is a dataset, until it returns false.
-/// Throws what `visit` throws, and std::runtime_error for groups that are nested too deep and a file that is damaged.
+/// Calls `visit` with the path of each object of a file, and its handle if it is a dataset, until `visit` returns
+/// false. Throws what `visit` throws, and std::runtime_error for groups that are nested too deep and a file that is
+/// damaged.
 void visitObjects(hid_t file, const std::function<bool(const std::string& path, const Hdf5Handle* dataset)>& visit);
 
 /// Returns the datasets of a file with their sizes, for errors: "'a' of 3 x 4 x 5, ...", or "no datasets".

@@ -201,7 +201,6 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
   return values;
 }
 
-// A file and its columns.
 class Hdf5File {
  public:
   explicit Hdf5File(const std::string& path) : file_(openHdf5(path), H5Fclose) {

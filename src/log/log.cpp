@@ -1,4 +1,4 @@
-// Checks of logs from any source, formats by the options of commands, and the CSV that is written.
+// Checks logs from any source, makes formats by the options of commands, and writes CSV.
 #include "rubber_suspension/log/log.h"
 
 #include <fmt/format.h>

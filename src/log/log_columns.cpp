@@ -191,7 +191,6 @@ std::string ownUnit(const ColumnName& column, Quantity quantity) {
   return quantityOfUnit(column.text) == quantity ? column.text : "";
 }
 
-// Returns a column that the user named.
 Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& format, Quantity quantity) {
   const std::string& name = channelOf(format, quantity).column;
   const Places places = placesOfOption(header, name);

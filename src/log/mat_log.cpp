@@ -179,14 +179,14 @@ class MatLogReader {
       table.names.back().bare = parseColumnName(column.leaf.empty() ? column.name : column.leaf).bare;
       table.groups.push_back(column.group);
     }
-    table.file = {[this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
-                  [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // called once, for
-                                                                                                    // all numbers
-                    keep(place, column);
-                    std::vector<double> numbers = std::move(kept_.at(place));
-                    kept_.erase(place);
-                    return numbers;
-                  }};
+    table.file = {
+        [this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
+        [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // once, for all numbers
+          keep(place, column);
+          std::vector<double> numbers = std::move(kept_.at(place));
+          kept_.erase(place);
+          return numbers;
+        }};
     return logsFromColumns(table, format_, name);
   }
 
@@ -230,7 +230,7 @@ class MatLogReader {
     return " (datasets of HDF5: " + describeDatasets(file.get()) + "; with the extension .h5 they are read as such)";
   }
 
-  // Keeps a column whose length was requested until its numbers are.
+  // Keeps a column whose length was requested until its numbers are requested, too.
   const std::vector<double>& keep(std::size_t place, const std::string& name) {
     const auto kept = kept_.find(place);
     return kept != kept_.end() ? kept->second : kept_.emplace(place, readColumn(columns_[place], name)).first->second;

@@ -90,7 +90,7 @@ struct NumberMarks::Marks {
   }
 
   std::string_view digits;
-  std::string_view before;  // before the last mark
+  std::string_view before;  // digits before the last mark
   bool has_exponent = false;
   std::size_t points = 0;
   std::size_t commas = 0;

@@ -34,7 +34,6 @@ std::string fieldText(const char* bytes, std::size_t size) {
   return trimmed(toUtf8(std::string(bytes, std::find(bytes, bytes + size, '\0'))));
 }
 
-// The records of the header.
 class RpcHeader {
  public:
   explicit RpcHeader(std::istream& file) {
@@ -239,9 +238,9 @@ class RpcFile {
   bool is_float_ = false;
   std::size_t channels_ = 0;
   double dt_ = 0.0;             // [s]
-  std::size_t frame_ = 0;       // samples per channel
-  std::size_t group_ = 0;       // likewise
-  std::size_t last_group_ = 0;  // likewise, of the last group in the file
+  std::size_t frame_ = 0;       // samples of a channel in a frame
+  std::size_t group_ = 0;       // in a group
+  std::size_t last_group_ = 0;  // in the last group of the file
   std::size_t samples_ = 0;     // of each channel
   std::vector<double> scale_;
   std::vector<std::string> notes_;

@@ -43,7 +43,7 @@ double rateOfBlock(std::vector<std::int64_t> stamps) {
   return share * 1e9 / static_cast<double>(numerics::medianOf(stamps));
 }
 
-// Returns the median rate [Hz] of the blocks between steps of the stamps far back.
+// Returns the median rate [Hz] of the blocks between large backward steps of the stamps.
 double rateOfStamps(const std::vector<std::int64_t>& stamps) {
   std::vector<std::int64_t> forward;
   for (std::size_t i = 1; i < stamps.size(); ++i) {

@@ -21,7 +21,7 @@ constexpr double kBridged = 0.5;               // [s], as the node bridges by de
 constexpr std::size_t kFewestPerGap = 100;     // rows per lost one, unless --bridge is given
 constexpr std::size_t kFewestPerAdvised = 10;  // rows per one that an option may omit
 constexpr std::size_t kMostPlaces = 4;         // that a note names
-constexpr double kFarOff = 100.0;              // ranges of the others, for a code of missing values
+constexpr double kFarOff = 100.0;              // ranges of the others, between them and a code of missing values
 
 bool isMeasured(double value) { return !std::isnan(value); }
 

@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::log {
 
-/// A stream of bytes. Throws std::runtime_error with the reason if they cannot be read.
+/// A stream of bytes. Throws std::runtime_error with the reason if it cannot be read.
 class ByteSource {
  public:
   ByteSource() = default;

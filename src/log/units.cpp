@@ -37,7 +37,7 @@ ut_system* unitSystem() {
     element::refuseIf(made == nullptr, "UDUNITS-2 found no unit database; install libudunits2-data");
     for (const auto& [name, unit, is_symbol] :
          {std::tuple("deg", "arc_degree", false),
-          // German for degrees; as a symbol, by capital and small letters. Otherwise it would be a giga-radian.
+          // German for degrees, case-sensitive as a symbol. Otherwise it would be a giga-radian.
           std::tuple("Grad", "arc_degree", true), std::tuple("tonf", "1000 kgf", false),
           std::tuple("kip", "1000 lbf", false), std::tuple("mil", "0.001 in", false),
           // Laboratories write dampings without a blank, also with a prefix: kNs/m.

@@ -71,7 +71,7 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
   return best;
 }
 
-// Units are assumed: a large factor may be off by what effects do; a small one only by the specification's tolerance
+// For assumed units: a large factor may be off by what effects do, a small one only by the specification's tolerance
 // and a little friction, or it would explain any other component.
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
@@ -87,7 +87,7 @@ struct Sheet {
   bool plausible(double ratio) const { return ratio > least() && ratio < most(); }
   bool mayBe(double ratio) const { return apart(ratio, 1.0) < factor; }
 
-  // Units are named and rarely wrong: a small factor may be off by the sheet's tolerance, a large one by half more.
+  // For named units, which are rarely wrong: a small factor may be off by the sheet's tolerance, a large one by half.
   std::optional<UnitFactor> namedFactorOf(double ratio) const {
     return unitFactorOf(ratio, std::max(1.5, factor), factor);
   }
@@ -251,8 +251,8 @@ RigFinding swapFinding(const Shown& log) {
       log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
 }
 
-// True if a constant force may be that of an open contact: it is the least of its sign, at displacements beyond all
-// that have more force.
+// True if a constant force may be that of an open contact: it is the smallest, at displacements beyond all that have
+// more force.
 bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
   const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin).array(); };
   const double still = 0.01 * rangeOf(record.force);  // twice the range of a part at rest

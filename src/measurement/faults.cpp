@@ -382,7 +382,6 @@ std::vector<Run> equalRuns(const VectorXd& values, Index shortest) {
 
 constexpr Index kShortestHold = 4;
 
-// Returns the typical step between neighbours about a run.
 double typicalStep(const VectorXd& values, const Run& run) {
   constexpr Index kReach = 50;
   std::vector<double> steps;

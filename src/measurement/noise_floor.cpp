@@ -127,7 +127,7 @@ double withSlowPart(double fast_variance, double slow_variance, double slow_nois
   return fast_variance + std::clamp(slow_variance, 0.0, slow_noise * slow_noise);
 }
 
-// Returns the power of single lines beside the motion, such as hum, which a machine adds and which is no noise: the
+// Returns the power of single lines above the motion, such as hum, which a machine adds and which is no noise: the
 // excess of a band's mean over its level by the median, if the mean is far above.
 double powerOfLines(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   constexpr double kFar = 3.0;

@@ -37,9 +37,8 @@ struct NoiseLimit {
 /// Returns 1.5 times the median of the logs' noise, given as gaps: 1/f noise differs by that much from log to log.
 NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<gap::PreparedRecord>& records);
 
-/// Returns the share of a residual [N] of a record that counts as error of the rig, as a gap: that of the rig's values,
-/// in standard deviations, but at most that of 95 % of such rigs, beyond which the model errs. Any model has this
-/// error.
+/// Returns the part of a residual [N] that errors of the rig explain, as a gap, by how improbable the rig's values are.
+/// It is limited to the 95 % quantile, beyond which the model is wrong. The residual of any model has this part.
 double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residual);
 
 /// Weight of a log among others of its rig.

@@ -206,7 +206,7 @@ Characteristics SettledLoop::characteristics() const {
     loss += part;
     all += std::abs(part);
   }
-  // A loss within rounding of the sum is none.
+  // A loss within the rounding of the sum is 0.
   const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(force.size()) * all;
   loss = std::abs(loss) > rounding ? loss : 0.0;
   if (range == 0.0) {

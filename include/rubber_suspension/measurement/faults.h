@@ -32,7 +32,7 @@ struct Faults {
 ///   at which the speed jumps, and no corner of the force that recurs with the same motion, as at a bump stop (after
 ///   Hampel's identifier, Davies and Gather, JASA 88, 1993);
 /// - a held value repeats bit by bit while the other channel moves, and ends in a jump that the other does not have, or
-///   is a force whose noise stops;
+///   interrupts the noise of a force;
 /// - a saturated channel has many samples at its extreme value while the other goes further out and returns; or it is a
 ///   force whose noise stops there, or which leaves this value while the displacement does not turn, unlike friction.
 Faults findFaults(const std::string& name, const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
