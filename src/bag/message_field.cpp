@@ -58,6 +58,7 @@ class Definition {
   }
 
   const MessageType& root() const { return types_.at(""); }
+  std::size_t types() const { return types_.size(); }
 
   /// Returns nullptr for a builtin type. The name of the package may be missing.
   const MessageType* find(const std::string& type) const {
@@ -116,6 +117,7 @@ class MessageWalk {
   /// Returns nullopt if there is no number at this path.
   std::optional<double> number(const std::vector<PathStep>& steps) {
     at_ = 0;
+    depth_ = 0;
     return within(definition_.root(), steps, 0);
   }
 
@@ -181,7 +183,11 @@ class MessageWalk {
       return;
     }
     for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t begin = at_;
       skipOne(field.type, texts);
+      if (at_ == begin) {
+        return;  // nor do the other elements take any bytes
+      }
     }
   }
 
@@ -195,12 +201,26 @@ class MessageWalk {
         texts->emplace_back(reinterpret_cast<const char*>(bytes_.data()) + begin, length);
       }
     } else if (const MessageType* inner = definition_.find(type)) {
-      advance(1), --at_;  // refuses types without fields behind the last byte
-      for (const MessageField& field : *inner) {
-        skip(field, nullptr);
-      }
+      skipMessage(type, *inner);
     } else {
       throw std::runtime_error("a type that the bag does not define: " + log::quoted(type));
+    }
+  }
+
+  void skipMessage(const std::string& type, const MessageType& fields) {
+    if (without_bytes_.count(type) > 0) {
+      return;
+    }
+    if (++depth_ > definition_.types()) {
+      throw std::runtime_error("a type that contains itself: " + log::quoted(type));
+    }
+    const std::size_t begin = at_;
+    for (const MessageField& field : fields) {
+      skip(field, nullptr);
+    }
+    --depth_;
+    if (at_ == begin) {
+      without_bytes_.insert(type);
     }
   }
 
@@ -221,7 +241,9 @@ class MessageWalk {
   const Definition& definition_;
   const std::vector<std::uint8_t>& bytes_;
   std::size_t at_ = 0;
-  std::vector<std::string> names_;  // entries of the field `name` of a message such as JointState
+  std::size_t depth_ = 0;
+  std::set<std::string> without_bytes_;  // types of messages without fields
+  std::vector<std::string> names_;       // entries of the field `name` of a message such as JointState
 };
 
 bool hasField(const MessageType& type, const std::string& name) {

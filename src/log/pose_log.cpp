@@ -2,6 +2,7 @@
 #include "rubber_suspension/log/pose_log.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -47,7 +48,12 @@ Log readFirst(const std::string& path, const LogFormat& format, bool& with_wrenc
     }
   }
   with_wrench = false;
-  return readDirection(path, format, 0, false);
+  Log log = readDirection(path, format, 0, false);
+  if (!log.force.empty()) {
+    throw LogError(
+        fmt::format("{}: a force, but no column 'Fx'; accepted: all of {}, or none", path, fmt::join(kWrench, ", ")));
+  }
+  return log;
 }
 
 }  // namespace

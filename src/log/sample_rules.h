@@ -48,7 +48,6 @@ class SampleRules {
   std::vector<std::string> notes() const;
 
   LogExtent extent() const { return signals_.extent(); }
-  const Signals& signals() const { return signals_; }
 
   /// Returns the rate of the stamps so far [Hz]; 0 if unknown.
   double rate() const;

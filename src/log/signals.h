@@ -62,9 +62,6 @@ class Signals {
 
   LogExtent extent() const { return {handed_out_, first_stamp_, last_stamp_}; }
 
-  /// Returns false for a column without numbers.
-  bool isThere(std::size_t signal) const { return signals_[signal].there; }
-
  private:
   struct Sample {
     std::int64_t stamp = 0;

@@ -5,6 +5,9 @@
 #include <rosbag/bag.h>
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Float64.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <cstring>
 
 #include "bag/bag_log.h"
 #include "support/scratch_folder.h"
@@ -90,6 +93,38 @@ TEST_F(MessageField, IsRefusedByNameWhereItIsNotThere) {
               HasSubstr("no field 'strain'; accepted: one of header, wrench"));
   EXPECT_THAT(refusal({"displacement=/joint_states/position[9]"}), HasSubstr("message 1: no number there"));
   EXPECT_THAT(refusal({"displacement=/joint_states/name[0]"}), HasSubstr("a field of type string"));
+}
+
+// Reads the field `data` of two messages whose bytes are a count, which no element follows, and the number 3.
+log::Log readWithDefinition(const std::string& definition, std::uint32_t count) {
+  const TemporaryFile file("odd.bag", "");
+  std::vector<std::uint8_t> bytes(sizeof count + sizeof(double));
+  constexpr double kNumber = 3.0;
+  std::memcpy(bytes.data(), &count, sizeof count);
+  std::memcpy(bytes.data() + sizeof count, &kNumber, sizeof kNumber);
+  topic_tools::ShapeShifter message;
+  message.morph("0123456789abcdef0123456789abcdef", "odd/Message", definition, "");
+  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  message.read(stream);
+  {
+    rosbag::Bag bag(file.path(), rosbag::bagmode::Write);
+    bag.write("/odd", stampAt(0), message);
+    bag.write("/odd", stampAt(1), message);
+  }
+  return bag::readBagLog(file.path(), "", log::makeLogFormat({"displacement=/odd/data"}, "", 0.0));
+}
+
+TEST(DefinitionOfAMessage, MayHaveAnyNumberOfElementsWithoutFields) {
+  const std::string definition =
+      "odd/Nothing[] many\nodd/Twice twice\nfloat64 data\n===\nMSG: odd/Nothing\n===\n"
+      "MSG: odd/Twice\nodd/Nothing a\nodd/Nothing[2] b\n";
+  EXPECT_EQ(readWithDefinition(definition, 0xffffffff).displacement, (std::vector<double>{3.0, 3.0}));
+}
+
+TEST(DefinitionOfAMessage, IsRefusedIfATypeContainsItself) {
+  const std::string definition = "odd/Own own\nuint32 count\nfloat64 data\n===\nMSG: odd/Own\nodd/Own own\n";
+  EXPECT_THAT(messageOf<log::LogError>([&] { readWithDefinition(definition, 0); }),
+              HasSubstr("a type that contains itself: 'odd/Own'"));
 }
 
 }  // namespace

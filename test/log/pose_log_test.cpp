@@ -62,7 +62,8 @@ TEST_F(PoseLogTest, RefusesWhatIsNoPose) {
   for (const auto& [columns, word] : {std::pair("leg1_mm,leg2_mm,leg3_mm,leg4_mm,leg5_mm,leg6_mm", "hexapod"),
                                       {"x_mm,y_mm,z_mm,rx_deg,ry_deg", "'rz'"},
                                       {"x_mm,y_mm,z_mm,rx_mm,ry_deg,rz_deg", "rx_mm"},
-                                      {"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,Fx_N", "'Fy'"}}) {
+                                      {"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,Fx_N", "'Fy'"},
+                                      {"x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,Fz_N", "a force, but no column 'Fx'"}}) {
     std::string row;
     for (std::string::size_type i = 0, count = 1 + std::count(columns, columns + std::strlen(columns), ','); i < count;
          ++i) {
