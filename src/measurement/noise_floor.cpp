@@ -268,7 +268,7 @@ double noiseFloor(const log::Record& record, const VectorXd& residual, const Mas
   return std::max({floor, smallestStep(record.force) / std::sqrt(12.0), 1e-12 * rangeOf(record.force)});
 }
 
-double evidenceOfNoise(const log::Record& record, const VectorXd& residual, const Mask& mask) {
+std::optional<double> evidenceOfNoise(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   constexpr double kFewestWindows = 12.0;
   constexpr Index kShortestWindow = 32;
   constexpr double kSeen = 2.0;     // times the power of white noise
@@ -288,7 +288,7 @@ double evidenceOfNoise(const log::Record& record, const VectorXd& residual, cons
   const ArrayXXd power = powerInWindows(residual, mask, windows, length);
   const ArrayXXd of_force = powerInWindows(record.force, Mask::Constant(mask.size(), true), windows, length);
   const double white = power.rightCols(2).mean();
-  double evidence = 0.0;
+  std::optional<double> evidence;
   for (Index octave = 1; octave + 1 < power.cols(); ++octave) {
     const double mean = power.col(octave).mean();
     if (mean <= kSeen * white) {
@@ -304,7 +304,7 @@ double evidenceOfNoise(const log::Record& record, const VectorXd& residual, cons
         by_motion = std::max(by_motion, likelihoodOf(logarithms - expected.log(), variance, HUGE_VAL));
       }
     }
-    evidence += likelihoodOf(logarithms, variance, variance) - by_motion;
+    evidence = evidence.value_or(0.0) + likelihoodOf(logarithms, variance, variance) - by_motion;
   }
   return evidence;
 }

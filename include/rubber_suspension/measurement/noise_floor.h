@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 
 #include "rubber_suspension/gap/prepared_record.h"
 #include "rubber_suspension/log/record.h"
@@ -18,8 +19,9 @@ double noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, co
                   double slow_noise = std::numeric_limits<double>::infinity());
 
 /// Returns the logarithm of the Bayes factor of two explanations of the residual beyond white noise: stationary noise,
-/// against an error of the model, whose power follows that of the force from window to window. 0 if all is white.
-double evidenceOfNoise(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
+/// against an error of the model, whose power follows that of the force from window to window. Nothing if all is white;
+/// 0 if the record is too short.
+std::optional<double> evidenceOfNoise(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 /// Returns the noise floor for a model's residual on a record, as a gap [-], without errors of the rig and samples that
 /// do not count.

@@ -97,7 +97,11 @@ ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, con
   double evidence = 0.0;
   for (std::size_t r = 0; r < records.size(); ++r) {
     residuals.push_back(records[r].withoutRig(records[r].force - simulated[r]));
-    evidence += measurement::evidenceOfNoise(records[r], residuals[r], measurement::maskOf(records[r]));
+    const auto of_log = measurement::evidenceOfNoise(records[r], residuals[r], measurement::maskOf(records[r]));
+    if (!of_log) {
+      return {};  // an amplifier has its noise in every log
+    }
+    evidence += *of_log;
   }
   if (evidence < std::log(kReported / (1.0 - kReported) * (1.0 - kPrior) / kPrior)) {
     return {};
