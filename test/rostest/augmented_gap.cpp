@@ -1,5 +1,5 @@
-// Proof in the running system: the node with the augmented file of a diagnosis shows the claimed gap on a log that took
-// no part in the fit.
+// Tests a diagnosis in the running system: the node with the augmented component file shows the claimed gap on a
+// held-out log.
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -13,7 +13,7 @@
 namespace rubber_suspension {
 namespace {
 
-// Smooth dry friction after Dahl, beside the rig's own force: none of the candidates' laws.
+// Smooth dry friction after Dahl, in parallel with the rig's own force. No candidate has this law.
 RigEffect dahlFriction() {
   auto force = std::make_shared<double>(0.0);
   auto last = std::make_shared<double>(0.0);
@@ -60,7 +60,7 @@ TEST(AugmentedGap, IsWhatTheReportClaims) {
   ros_interface::LogPlayer player(ros::NodeHandle(), options);
   const ros_interface::PlayResult played = player.play(unseen);
   ASSERT_TRUE(played.exactlyOneEach());
-  // The same numbers through the same code: what differs is the order of summation of the mean and the squares.
+  // Both gaps use the same numbers and code; only the order of summation of mean and squares differs.
   EXPECT_NEAR(gapOf(unseen, played.force), result.gap_as_recorded.augmented, 1e-9);
   std::filesystem::remove_all(folder);
 }

@@ -1,4 +1,4 @@
-// A bad configuration: one line of error that names what is wrong, exit status 1, no node left running.
+// A node with a bad configuration prints one line of error that names the mistake, and ends with exit status 1.
 #include <gtest/gtest.h>
 #include <ros/master.h>
 #include <ros/ros.h>
@@ -24,7 +24,7 @@ struct Outcome {
   std::vector<std::string> lines;  // of stderr and stdout
 };
 
-// Runs the node until it ends, at most as long as a failing test may take.
+// Runs the node until it ends, for at most 20 s.
 Outcome runNode(const std::string& arguments) {
   Outcome outcome;
   const std::string command =

@@ -1,4 +1,4 @@
-// A test bench in lockstep: sends displacements to the node, waits for forces, reads the node's diagnostics.
+// A test bench in lockstep: sends displacements to the node, waits for forces, and reads the node's diagnostics.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -19,10 +19,10 @@
 
 namespace rubber_suspension {
 
-/// A test must not depend on how fast the machine is: this only bounds how long a failure takes.
+/// Time limit [s] after which a wait fails. It is generous, so that no test depends on the speed of the machine.
 constexpr double kPatience = 30.0;
 
-/// Turn ROS's callbacks until `done` holds; false if it never does.
+/// Calls ROS's callbacks until `done` holds; returns false if it does not hold in time.
 template <class Condition>
 bool spinUntil(Condition done, double patience = kPatience) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
@@ -35,7 +35,7 @@ bool spinUntil(Condition done, double patience = kPatience) {
   return true;
 }
 
-/// One component as its driver sees it.
+/// A component as seen by the driver of its rig.
 class Bench {
  public:
   explicit Bench(const std::string& component) : component_(component) {
@@ -44,7 +44,7 @@ class Bench {
                                            [this](const Force::ConstPtr& force) { forces.push_back(*force); });
   }
 
-  /// Wait until nothing sent or answered can be lost.
+  /// Waits until no message in either direction can be lost.
   bool connect() {
     return ros_interface::waitForPublishers(subscriber_.getTopic(), kPatience) &&
            spinUntil([this] { return publisher_.getNumSubscribers() > 0; });
@@ -60,7 +60,7 @@ class Bench {
     publisher_.publish(message);
   }
 
-  /// Send a sample and wait for its force, which must come. Whatever was sent before must have been answered.
+  /// Sends a sample and returns its force, which must arrive. All earlier samples must have been answered.
   Force ask(std::int64_t stamp, double displacement) {
     const std::size_t before = forces.size();
     send(stamp, displacement);
@@ -71,12 +71,12 @@ class Bench {
     return forces.back();
   }
 
-  /// True once this many forces came in all.
+  /// Returns true once this many forces have arrived in total.
   bool waitForForces(std::size_t count) {
     return spinUntil([&] { return forces.size() >= count; });
   }
 
-  std::vector<Force> forces;  ///< all that came, in order
+  std::vector<Force> forces;  ///< all that arrived, in order
 
  private:
   std::string component_;
@@ -93,7 +93,7 @@ class DiagnosticsWatch {
         "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) { take(*array); });
   }
 
-  /// The value of a key, or nothing ("") before the component was heard of.
+  /// Returns the value of a key; empty before the first diagnostics of the component.
   std::string value(const std::string& component, const std::string& key) const {
     const auto status = status_.find(component);
     if (status != status_.end()) {
@@ -110,7 +110,7 @@ class DiagnosticsWatch {
     return std::strtol(value(component, key).c_str(), nullptr, 10);
   }
 
-  /// Counters are reported once per second: wait until this one has that value.
+  /// Waits until the counter has the expected value, because counters are published only once per second.
   bool waitForCount(const std::string& component, const std::string& key, long expected) {
     const bool reached = spinUntil([&] { return !value(component, key).empty() && count(component, key) == expected; });
     if (!reached) {
@@ -119,7 +119,7 @@ class DiagnosticsWatch {
     return reached;
   }
 
-  /// Every status by component name, as it came last.
+  /// Returns the latest status of each component, by name.
   const std::map<std::string, diagnostic_msgs::DiagnosticStatus>& all() const { return status_; }
 
   std::size_t arrays = 0;  ///< messages so far
@@ -128,7 +128,7 @@ class DiagnosticsWatch {
   void take(const diagnostic_msgs::DiagnosticArray& array) {
     ++arrays;
     for (const auto& status : array.status) {
-      if (!status.values.empty()) {  // without values: the announcement at the node's start
+      if (!status.values.empty()) {  // the announcement at the node's start has no values
         status_[status.name.substr(status.name.find(": ") + 2)] = status;
       }
     }
@@ -139,11 +139,11 @@ class DiagnosticsWatch {
   std::map<std::string, diagnostic_msgs::DiagnosticStatus> status_;
 };
 
-/// Stamps of the tests start here, as far from 0 as those of a clock are.
+/// The stamps of the tests start here, because those of a clock are as far from 0.
 constexpr std::int64_t kStart = 1700000000LL * 1000000000LL;
 constexpr std::int64_t kMillisecond = 1000000LL;
 
-/// Run all tests of a rostest program as a ROS node.
+/// Runs all tests of a rostest program as a ROS node.
 inline int runAsNode(int argc, char** argv, const std::string& name) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, name);

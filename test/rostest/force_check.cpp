@@ -1,4 +1,4 @@
-// The test node check_force against a running node: it passes and fails where it has to, and reports in XML.
+// Tests the test node check_force against a running node: it passes and fails where it has to, and reports in XML.
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
@@ -13,9 +13,9 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kNoise = 0.1;  // of the measured force, over its standard deviation
+constexpr double kNoise = 0.1;  // standard deviation of the noise over that of the measured force
 
-// What the program said: exit status, number of failures and text of the first one.
+// Result of the program: exit status, number of failures and text of the first one.
 struct Outcome {
   int status = -1;
   int failures = -1;
@@ -51,7 +51,7 @@ class ForceCheckNode : public testing::Test {
     return outcome;
   }
 
-  // Force of left_secondary with white noise of a tenth of its standard deviation, seed fixed.
+  // Writes the force of left_secondary with white noise of a tenth of its standard deviation; the seed is fixed.
   void writeMeasured() const {
     log::Log log;
     log.name = "measured";
@@ -74,8 +74,8 @@ class ForceCheckNode : public testing::Test {
   }
 };
 
-// The noise of 4000 samples has its deviation to within 1/sqrt(8000), 1.1 %: ten of those lie between 0.09 and 0.11.
-// The mean of the force is far below its deviation, and changes that by less than 1 %.
+// The standard deviation of 4000 noise samples has a standard error of 1/sqrt(8000) = 1.1 %, so both limits are ten
+// standard errors away. The mean of the force, far below its deviation, changes that by less than 1 %.
 TEST_F(ForceCheckNode, PassesAndFailsOnEitherSideOfTheGap) {
   writeMeasured();
   const std::string log = "--component left_secondary --log " + path(".csv");

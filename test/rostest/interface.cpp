@@ -1,4 +1,4 @@
-// The table of the node's topics and services is what a running node has: nothing more, nothing less.
+// A running node has exactly the topics and services of the table.
 #include <ros/master.h>
 #include <ros/service.h>
 
@@ -15,7 +15,7 @@ using Names = std::set<std::string>;
 
 const std::string kNode = "/bench/simulate";
 
-// What the master knows of the node: topics published, topics subscribed, services.
+// Names that the master lists for the node: topics published, topics subscribed, or services.
 Names ofNode(int list) {
   XmlRpc::XmlRpcValue request;
   XmlRpc::XmlRpcValue response;
@@ -35,7 +35,7 @@ Names ofNode(int list) {
   return names;
 }
 
-// Every node of roscpp has these.
+// Removes the names that every node of roscpp has.
 Names withoutThoseOfAllNodes(Names names) {
   names.erase("/rosout");
   names.erase("/clock");
@@ -44,7 +44,7 @@ Names withoutThoseOfAllNodes(Names names) {
   return names;
 }
 
-// The directions of the bush that are not free.
+// Inserts the name for each direction in which the bush has a law.
 void insertAll(const std::string& name, Names& names) {
   const std::string placeholder = "DIRECTION";
   const std::size_t place = name.find(placeholder);

@@ -1,5 +1,5 @@
-// The live diagnosis over topics: friction that sets in while the bench runs is named with its onset, promoted by a
-// service, so that the gap closes, and rolled back, so that it opens again.
+// Tests the live diagnosis over topics: friction that sets in during the run is named with its onset. A service
+// promotes the model, which closes the gap, and another rolls back, which opens it again.
 #include <rubber_suspension/Diagnosis.h>
 #include <rubber_suspension/Gap.h>
 #include <rubber_suspension/MeasuredForce.h>
@@ -21,9 +21,9 @@ namespace rubber_suspension {
 namespace {
 
 constexpr int kRate = 200;       // [Hz]
-constexpr double kOnset = 50.0;  // [s] after the begin
+constexpr double kOnset = 50.0;  // [s] after the start
 
-/// The component on the rig: as configured until the friction is switched on, with white noise of 1 % of its force.
+/// The component on the rig, with white noise of 1 % of its force and, once it is switched on, friction.
 class VirtualRig {
  public:
   explicit VirtualRig(const io::ComponentDescription& component)
@@ -70,7 +70,7 @@ class LiveDiagnosisTopic : public testing::Test {
     listen<Gap>("bush/shadow_gap", shadow_gap_);
     ASSERT_TRUE(bench_.connect());
     ASSERT_TRUE(spinUntil([&] { return measured_.getNumSubscribers() > 0; }));
-    // Both latched: they come without a sample.
+    // Both topics are latched, so messages arrive without a sample.
     ASSERT_TRUE(spinUntil([&] { return !diagnosis_.verdict.empty() && !running_.component.empty(); }));
   }
 
@@ -82,8 +82,8 @@ class LiveDiagnosisTopic : public testing::Test {
 
   static std::int64_t stampOf(double t) { return kStart + std::llround(1e9 * t); }
 
-  // Play on for a time [s of the stamps] at twenty times the speed of the stamps, or until `done`; a stretch is sent
-  // when the one before is answered, so that nothing is lost.
+  // Plays on for a duration [s of the stamps] at twenty times real time, or until `done`. Each batch is sent after the
+  // previous one was answered, so that no sample is lost.
   void play(double duration, const std::function<bool()>& done = [] { return false; }) {
     const std::int64_t last = count_ + std::llround(duration * kRate);
     while (count_ < last && !done() && !HasFatalFailure()) {
@@ -103,9 +103,9 @@ class LiveDiagnosisTopic : public testing::Test {
 
   double now() const { return static_cast<double>(count_) / kRate; }
 
-  // Mean gap over the next windows, from messages of the node.
+  // Returns the mean gap over the next windows, from messages of the node.
   double gapFromNow() {
-    play(6.0);  // a window and more: nothing of before is in it
+    play(6.0);  // longer than a window, so that it contains no earlier samples
     const ros::Time fresh = bag::toRosTime(stampOf(now()));
     play(60.0, [&] { return gap_.header.stamp > fresh; });
     EXPECT_GT(gap_.header.stamp, fresh);
@@ -141,7 +141,7 @@ TEST_F(LiveDiagnosisTopic, NamesTheFrictionPromotesItAndGoesBack) {
 
   play(kOnset, [&] { return !diagnosis_.effects.empty(); });
   EXPECT_TRUE(diagnosis_.effects.empty()) << diagnosis_.sentence;
-  // That it takes two minutes at most is the gtest's to say: here a busy machine may be slow to look.
+  // A gtest checks that it takes at most two minutes; on a busy machine the diagnosis may run late here.
   play(600.0, [&] { return !diagnosis_.effects.empty(); });
   ASSERT_FALSE(diagnosis_.effects.empty()) << diagnosis_.verdict << ": " << diagnosis_.sentence;
   EXPECT_EQ(diagnosis_.effects.front(), "friction") << diagnosis_.sentence;
@@ -160,8 +160,8 @@ TEST_F(LiveDiagnosisTopic, NamesTheFrictionPromotesItAndGoesBack) {
   EXPECT_NE(running_.sha256, configured);
   EXPECT_FALSE(running_.added.empty());
   const double promoted = gapFromNow();
-  EXPECT_LT(promoted, 0.5 * before);  // the noise alone, 1 %, is an eighth of what friction of 15 % makes
-  // The gap of the configured model is still told; the motion is not the same, so that it is about the same only.
+  EXPECT_LT(promoted, 0.5 * before);  // the noise of 1 % is an eighth of the gap due to the friction
+  // The gap of the configured model is still published; it is only about the same, because the motion differs.
   EXPECT_NEAR(shadow_gap_.gap, before, 0.3 * before);
 
   ASSERT_TRUE(call("bush/rollback").response.success);

@@ -1,4 +1,4 @@
-// The live gap over topics: forces that come before, after and out of step with their displacements; thresholds.
+// Tests the live gap over topics: forces before, after and out of order with their displacements; thresholds.
 #include <rubber_suspension/Gap.h>
 #include <rubber_suspension/MeasuredForce.h>
 
@@ -11,7 +11,7 @@ namespace rubber_suspension {
 namespace {
 
 constexpr double kAmplitude = 2e-3;  // [m]
-constexpr int kSamples = 4000;       // at 1 kHz: one window
+constexpr int kSamples = 4000;       // one window at 1 kHz
 
 class LiveGapTopic : public testing::Test {
  protected:
@@ -31,7 +31,7 @@ class LiveGapTopic : public testing::Test {
     publisher_.publish(message);
   }
 
-  // One window of a sine; the measured force is the simulated one times a factor, sent back half a second late.
+  // Sends one window of a sine; the measured force is the simulated one times a factor, sent half a second late.
   void run(int first, double factor) {
     constexpr std::size_t kLate = 500;
     std::vector<Force> answers;
@@ -50,7 +50,7 @@ class LiveGapTopic : public testing::Test {
     measure(static_cast<std::int64_t>(force.header.stamp.toNSec()), factor * force.force);
   }
 
-  // The gap of the whole window, as the last messages may still be under way.
+  // Waits for the gap of the whole window, because the last messages may still be in transit.
   bool waitForWindow(int last) {
     const ros::Time newest = bag::toRosTime(kStart + last * kMillisecond);
     return spinUntil([&] { return gap_.samples >= kSamples && gap_.header.stamp >= newest; });
@@ -66,7 +66,7 @@ class LiveGapTopic : public testing::Test {
 
 TEST_F(LiveGapTopic, LateForcesAreMatchedAndThresholdsTellTheLevel) {
   open("left_secondary");
-  // The node keeps samples once it knows that forces are measured, which any force tells it.
+  // The node stores samples only once a force was measured, for which any force counts, even one that is not finite.
   measure(kStart, std::nan(""));
   ASSERT_TRUE(diagnostics_.waitForCount("left_secondary", "measured forces, not finite", 1));
   run(0, 1.0);
@@ -74,7 +74,7 @@ TEST_F(LiveGapTopic, LateForcesAreMatchedAndThresholdsTellTheLevel) {
   EXPECT_EQ(gap_.level, Gap::OK);
   EXPECT_EQ(gap_.gap, 0.0);
 
-  // 10 % more force than simulated: the gap is 0.1 of 1.1, all of it stiffness and loss alike in phase with the force.
+  // The measured force exceeds the simulated one by 10 %: the gap is 0.1/1.1, most of it a share of the stiffness.
   run(kSamples, 1.1);
   ASSERT_TRUE(waitForWindow(2 * kSamples - 1));
   EXPECT_NEAR(gap_.gap, 0.1 / 1.1, 0.005);
@@ -99,14 +99,14 @@ TEST_F(LiveGapTopic, LateForcesAreMatchedAndThresholdsTellTheLevel) {
 TEST_F(LiveGapTopic, EarlyForcesAreMatchedAndBadOnesCounted) {
   open("right_secondary");
   for (int i = 0; i < 200; ++i) {
-    measure(kStart + i * kMillisecond, 100.0);  // all before their displacements
+    measure(kStart + i * kMillisecond, 100.0);  // each before its displacement
   }
   measure(kStart, std::nan(""));
   ASSERT_TRUE(diagnostics_.waitForCount("right_secondary", "measured forces, not finite", 1));
   for (int i = 0; i < 200; ++i) {
     bench_->ask(kStart + i * kMillisecond, 1e-5 * i);
   }
-  measure(kStart + 100 * kMillisecond + 1, 100.0);  // the stamp of no sample
+  measure(kStart + 100 * kMillisecond + 1, 100.0);  // no sample has this stamp
   EXPECT_TRUE(diagnostics_.waitForCount("right_secondary", "measured forces, matched", 200));
   EXPECT_TRUE(diagnostics_.waitForCount("right_secondary", "measured forces, without sample", 1));
 }

@@ -1,4 +1,4 @@
-// The master dies and comes back: samples are served all the while, and afterwards the node can be found again.
+// The master dies and returns: the node answers samples all the while, and clients find it again afterwards.
 #include <std_srvs/Trigger.h>
 
 #include <cstdlib>
@@ -12,7 +12,7 @@ namespace {
 
 class MasterRestart : public testing::Test {
  protected:
-  // A master of the test's own, as the one of rostest must live.
+  // Starts a master for this test alone, because that of rostest has to stay alive.
   static std::unique_ptr<ros_interface::ChildProcess> startMaster(int port) {
     auto master = std::make_unique<ros_interface::ChildProcess>(
         std::vector<std::string>{"rosmaster", "--core", "-p", std::to_string(port)});
@@ -43,7 +43,7 @@ TEST_F(MasterRestart, SamplesAreServedAndTheNodeIsFoundAgain) {
   }
   EXPECT_EQ(left.forces.size(), 400U);
 
-  // The node finds out within seconds; then a newcomer finds the node.
+  // The node registers again within seconds; then a new client finds it.
   Bench right("right_secondary");
   ASSERT_TRUE(right.connect());
   EXPECT_NEAR(right.ask(kStart, 0.002).displacement, 0.002, 0.0);

@@ -1,5 +1,4 @@
-// What a test sees of a running node from outside: its slave API, its process, its memory; and a subscriber that
-// stalls.
+// A running node as seen from outside: its slave API, process and memory; and a subscriber that stalls.
 #pragma once
 
 #include <arpa/inet.h>
@@ -19,7 +18,7 @@
 
 namespace rubber_suspension {
 
-/// Ask a node by its slave API, with further arguments after the caller's name. Invalid where it does not answer.
+/// Calls the slave API of a node; `arguments` follow the caller's name. Returns an invalid value if it does not answer.
 inline XmlRpc::XmlRpcValue askNode(const std::string& node, const std::string& method,
                                    XmlRpc::XmlRpcValue arguments = XmlRpc::XmlRpcValue()) {
   XmlRpc::XmlRpcValue lookup;
@@ -41,14 +40,14 @@ inline XmlRpc::XmlRpcValue askNode(const std::string& node, const std::string& m
                                                                                               : XmlRpc::XmlRpcValue();
 }
 
-/// The process of a node; 0 where it does not answer.
+/// Returns the process of a node; 0 if it does not answer.
 inline pid_t processOf(const std::string& node) {
   XmlRpc::XmlRpcValue answer = askNode(node, "getPid");
   return answer.getType() == XmlRpc::XmlRpcValue::TypeInt ? static_cast<int>(answer) : 0;
 }
 
-/// A subscriber on the wire that makes its connection and then reads nothing, with a small buffer of its own: what is
-/// sent to it stays with the sender.
+/// A subscriber on the wire that connects and then reads nothing. Its receive buffer is small, so that messages
+/// accumulate at the sender.
 template <class Message>
 class StalledSubscriber {
  public:
@@ -66,13 +65,13 @@ class StalledSubscriber {
   StalledSubscriber(const StalledSubscriber&) = delete;
   StalledSubscriber& operator=(const StalledSubscriber&) = delete;
 
-  /// True once the sender has answered the greeting.
+  /// Returns true once the sender has answered the connection header.
   bool connected() const {
     pollfd waiting{socket_, POLLIN, 0};
     return connected_ && poll(&waiting, 1, 10000) == 1;
   }
 
-  /// Bytes that have come this far and lie here unread.
+  /// Returns the number of bytes that have arrived and are unread.
   int unread() const {
     int bytes = 0;
     return ioctl(socket_, FIONREAD, &bytes) == 0 ? bytes : 0;

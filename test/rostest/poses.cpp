@@ -1,5 +1,5 @@
-// Poses in, wrenches out: what is accepted has exactly one wrench, equal to that of an undisturbed stream; what is
-// dropped is counted; states, bundles and the gap of each direction. One component each.
+// Poses and wrenches: each accepted pose has exactly one wrench, equal to that of an undisturbed stream; dropped poses
+// are counted; states, bundles and the gap of each direction. Each test has a component of its own.
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <rubber_suspension/DisplacementArray.h>
@@ -79,7 +79,7 @@ class Poses : public testing::Test {
     publisher_.publish(message);
   }
 
-  // A pose that has to be answered, with the wrench that it has to have.
+  // Sends a pose that has to be answered, and checks its wrench.
   void expectAnswer(std::int64_t stamp, const Position& position, const Rotation& rotation) {
     const std::size_t before = wrenches_.size();
     send(stamp, position, rotation);
@@ -97,7 +97,7 @@ class Poses : public testing::Test {
     }
   }
 
-  // Those named must be so, all others zero.
+  // Checks the counters; those that `expected` does not list must be zero.
   void expectCounts(std::map<std::string, long> expected) {
     for (const char* key :
          {"dropped", "dropped, not finite", "dropped, repeated stamp", "dropped, stepped back", "dropped, no rotation",
@@ -235,7 +235,7 @@ TEST_F(Poses, ALoadedStateGoesOnWithTheSameBits) {
   run(kStart, 10);
 }
 
-// A measured wrench whose force along x is a fifth larger, and all else as simulated.
+// The measured force along x is a fifth larger than simulated; all other directions agree.
 TEST_F(Poses, TheGapIsThatOfEachDirection) {
   open("measured");
   std::map<std::string, Gap> gaps;
@@ -258,7 +258,7 @@ TEST_F(Poses, TheGapIsThatOfEachDirection) {
     message.wrench.torque.x = wrench.moment.x();
     message.wrench.torque.y = wrench.moment.y();
     message.wrench.torque.z = wrench.moment.z();
-    if (i % 2 == 0) {  // some before their pose, some behind
+    if (i % 2 == 0) {  // half of them before their pose, the others after it
       measured_.publish(message);
     }
     send(stamp, wayAt(stamp), turnAt(stamp));
@@ -294,12 +294,12 @@ TEST_F(Poses, ABundleIsAnsweredByTheSameComponents) {
   ASSERT_TRUE(spinUntil([&] { return !answers.empty(); }));
   EXPECT_EQ(answers[0].header.stamp, bundle.header.stamp);
   EXPECT_EQ(answers[0].header.frame_id, "body_a");
-  ASSERT_EQ(answers[0].components, std::vector<std::string>{"bush"});  // that of the other is beyond its measure
+  ASSERT_EQ(answers[0].components, std::vector<std::string>{"bush"});  // the rotation of the other is out of range
   expectSame(answers[0].wrenches.at(0),
              expected_->push(kStart, wayAt(kStart + kMillisecond), turned(1.0)).force.wrench);
-  // The single topic goes on where the bundle left the component.
+  // The single topic continues from the state after the bundle.
   run(kStart + kMillisecond, 5);
-  // A component of six directions takes no displacement.
+  // A component of six directions does not accept a displacement.
   DisplacementArray wrong;
   wrong.header.stamp = bag::toRosTime(kStart);
   wrong.components = {"bush"};

@@ -1,4 +1,4 @@
-// The real-time set-up: used where the system permits it, said so where it does not; samples are served in both cases.
+// Tests the real-time set-up: used where it is permitted, else reported as missing; samples are answered in both cases.
 #include <sched.h>
 #include <signal.h>
 #include <sys/mman.h>
@@ -22,7 +22,7 @@ namespace {
 constexpr int kPriority = 7;
 constexpr const char* kNode = "/timely";
 
-// Whether this system permits a program what the node asks for, tried in a process of its own.
+// Tries in a child process whether the system permits an operation that the node requests.
 bool permitted(const std::function<bool()>& attempt) {
   const pid_t child = fork();
   if (child == 0) {
@@ -41,12 +41,12 @@ bool mayBeTimely() {
   });
 }
 
-// A node's memory is more than what a small process of today may lock by default.
+// A node maps more memory than an unprivileged process may lock by default.
 bool mayLockMemory() {
   return permitted([] { return mlockall(MCL_CURRENT | MCL_FUTURE) == 0; });
 }
 
-// The node with two serving threads, as a user would start it; what it prints is kept. It ends by itself after a while.
+// The node with two serving threads, started as a user would, with its output kept. It ends by itself after 60 s.
 class TimelyNode {
  public:
   explicit TimelyNode(const std::string& prefix) {
@@ -60,7 +60,7 @@ class TimelyNode {
   TimelyNode(const TimelyNode&) = delete;
   TimelyNode& operator=(const TimelyNode&) = delete;
 
-  // Ends the node; what it has printed and its exit status are known afterwards.
+  // Ends the node; afterwards its output and exit status are available.
   void end() {
     if (output_ == nullptr) {
       return;
@@ -87,7 +87,7 @@ class TimelyNode {
   int status_ = -1;
 };
 
-// Threads of a process at the priority asked for.
+// Number of threads of a process that have the requested priority.
 int timelyThreads(pid_t process) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
@@ -126,7 +126,7 @@ TEST(RealTime, UsedWherePermittedAndSaidSo) {
   expectService();
   const pid_t process = processOf(kNode);
   ASSERT_GT(process, 0);
-  // Only the two that serve: the others have to be able to stop them.
+  // The other threads keep normal priority, so that they can stop the serving threads.
   EXPECT_EQ(timelyThreads(process), timely ? 2 : 0);
   EXPECT_EQ(lockedMemory(process) > 0, locks);
   node.end();
@@ -135,7 +135,7 @@ TEST(RealTime, UsedWherePermittedAndSaidSo) {
   EXPECT_EQ(node.exitStatus(), 0);
 }
 
-// Without the capabilities and limits that permit it, whoever runs this test.
+// The node runs without the capabilities and limits for real time, even if root runs this test.
 TEST(RealTime, SaysSoWhereNotPermittedAndServes) {
   std::string prefix = "prlimit --rtprio=0:0 --memlock=65536:65536 ";
   if (geteuid() == 0) {

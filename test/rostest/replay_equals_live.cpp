@@ -1,4 +1,4 @@
-// The same log gives the same forces to the last bit: live, from a CSV file, from a bag, and by the command `replay`.
+// A log gives the same forces to the last bit live, from a CSV file, from a bag, and by the command `replay`.
 #include <unistd.h>
 
 #include <cmath>
@@ -65,7 +65,7 @@ TEST_P(ReplayEqualsLive, ToTheLastBit) {
   expectSame(gap::replay(component, log).force, live(GetParam(), log));
 }
 
-// Files start earlier than the log above, so that the node sees a jump back of more than a second: a new component.
+// These logs start earlier than the one above: the node sees a jump back of more than a second, and starts anew.
 TEST_P(ReplayEqualsLive, ThroughCsvAndBag) {
   const auto components = io::loadComponentFile(configFile());
   const component::Component component = io::selectComponent(components, GetParam()).makeComponent();

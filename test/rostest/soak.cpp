@@ -1,4 +1,4 @@
-// A short soak: 400,000 samples as fast as the node answers; exactly one force each, and memory that does not grow.
+// A short soak test: 400,000 samples as fast as the node answers, one force each, in memory that does not grow.
 #include "bench.h"
 #include "benchmark/latency/latency_benchmark.h"
 
@@ -11,8 +11,8 @@ TEST(Soak, EverySampleHasItsForceAndMemoryStays) {
   EXPECT_EQ(result.sent, kSamples);
   EXPECT_EQ(result.answered, result.sent);
   EXPECT_EQ(result.surplus, 0U);
-  // The first tenth is for buffers and queues to find their size. Eight bytes kept of every later sample would be
-  // 2.9 MB.
+  // Buffers and queues grow to their size during the first tenth. Eight bytes kept of every later sample would be 2.9
+  // MB.
   ASSERT_EQ(result.memory.size(), 100U);
   ASSERT_GT(result.memory[9], 0);
   EXPECT_LT(result.memory.back() - result.memory[9], 1500000);

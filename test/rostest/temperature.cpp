@@ -1,4 +1,4 @@
-// The topic of the temperature: the node follows it by its stamps, to the last bit as `replay` does.
+// Tests the temperature topic: the node applies temperatures by their stamps, to the last bit as `replay` does.
 #include <sensor_msgs/Temperature.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace rubber_suspension {
 namespace {
 
-// 20 s of motion at 50 Hz with a temperature that is measured at each tenth sample.
+// 20 s of motion at 50 Hz; every tenth sample has a measured temperature.
 log::Log warmingLog() {
   log::Log log;
   log.name = "warming";
@@ -42,7 +42,7 @@ TEST(TemperatureTopic, FollowsTheStampsAsReplayDoes) {
   for (std::size_t i = 0; i < log.size(); i += 10) {
     send(log.stamp[i], log.temperature[i]);
   }
-  // Two topics have no order: what is refused, on the same connection, tells that all before it has come.
+  // Messages of one connection arrive in order: once these are refused, all earlier temperatures have arrived.
   send(log.stamp.back(), std::nan(""));
   send(log.stamp.back(), -250.0);
   ASSERT_TRUE(diagnostics.waitForCount("bush", "temperatures, refused", 2));
@@ -59,7 +59,7 @@ TEST(TemperatureTopic, FollowsTheStampsAsReplayDoes) {
   EXPECT_TRUE(spinUntil([&] { return diagnostics.value("bush", "temperature [degC]") == "44.7"; }));
 }
 
-// More changes than the node keeps in advance.
+// The log has more changes of temperature than the node stores in advance.
 TEST(TemperatureTopic, APlayedLogHasTheForcesOfItsReplay) {
   log::Log log;
   log.name = "long";

@@ -1,4 +1,4 @@
-// Two components in one node do not know of each other; parameters give the same as the file.
+// Two components in one node do not affect each other; parameters give the same forces as the file.
 #include <cmath>
 
 #include "bench.h"

@@ -1,5 +1,5 @@
-// A vehicle on a generated track, stepped against the running node over the bundled topics: the forces of the library
-// in one process to the last bit, and those of a run without delay but for what the delay explains.
+// A vehicle on a generated track, stepped against the running node over the bundled topics, has the forces of the
+// library to the last bit; they differ from those without delay only by the effect of the delay.
 #include <cstdlib>
 #include <map>
 
@@ -17,7 +17,7 @@ Bushes loadedComponents(const std::vector<element::ElementDescription>& further 
 
 class VehicleLoop : public testing::TestWithParam<int> {
  protected:
-  // Three seconds of the track that scripts/generate_track draws from its spectrum.
+  // Three seconds of a track that scripts/generate_track generates from its spectrum.
   static Scene generated() {
     const std::string path = testing::TempDir() + "vehicle_loop_track.csv";
     const std::string command = TEST_DIR "/../scripts/generate_track --track --duration 3 --output " + path;
@@ -62,9 +62,9 @@ TEST_P(VehicleLoop, GivesTheForcesOfTheLibraryToTheLastBit) {
   }
 }
 
-// A force that is held over the step, from an answer `delay` steps old, is late by delay + 1/2 steps in the mean. The
-// same lateness given to the components of a run that knows no loop leaves less than a fiftieth of the difference; that
-// the forces are held, and not only late, is of the next order in the step.
+// A force that is `delay` steps old and held over a step lags by delay + 1/2 steps on average. A run without the loop,
+// whose components have this lag, explains all but a fiftieth of the difference; the effect of holding is of the next
+// order in the step.
 TEST_P(VehicleLoop, DiffersFromARunWithoutDelayByWhatTheDelayExplains) {
   const double delay = loopDelay(1e-9 * kStep, GetParam());
   const Bushes components = loadedComponents();
