@@ -1,4 +1,4 @@
-// What is left of the machine's memory and of control groups, by files as the kernel writes them.
+// The memory that the machine and its control groups have available, from files as the kernel writes them.
 #include "io/available_memory.h"
 
 #include <sys/resource.h>
@@ -47,10 +47,10 @@ TEST_F(AvailableMemory, OfControlGroupsOfVersion2) {
   EXPECT_EQ(mebibytes(), 924U);
   write(group + "/memory.stat", "anon 5\ninactive_file 52428800\nactive_file 7\n");
   EXPECT_EQ(mebibytes(), 974U);
-  write("/sys/fs/cgroup/user.slice/memory.max", "209715200\n");  // that of the group above is less
+  write("/sys/fs/cgroup/user.slice/memory.max", "209715200\n");  // the limit of the parent group is lower
   write("/sys/fs/cgroup/user.slice/memory.current", "104857600\n");
   EXPECT_EQ(mebibytes(), 100U);
-  write("/sys/fs/cgroup/user.slice/memory.current", "999999999\n");  // and taken already
+  write("/sys/fs/cgroup/user.slice/memory.current", "999999999\n");  // and already used up
   EXPECT_EQ(mebibytes(), 0U);
 }
 
@@ -78,7 +78,7 @@ TEST_F(AvailableMemory, LinesThatAreNoGroups) {
 }
 
 TEST_F(AvailableMemory, OfTheLimitOfAddresses) {
-  // Far beyond what a build with sanitizers reserves, since the limit holds for this process.
+  // The limit applies to this process, so it has to be far beyond the addresses that a build with sanitizers reserves.
   constexpr std::uint64_t kLimit = std::uint64_t{64} << 40U;
   write("/proc/self/statm", "1000 10 1\n");
   rlimit before{};

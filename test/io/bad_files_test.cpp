@@ -1,5 +1,5 @@
-// Component files that have to be refused, each with the error that it has to give in its first line, `# error: ...`,
-// beginning at the line's number behind the file's name.
+// Component files that have to be refused. The first line of each, `# error: ...`, contains the beginning of its error,
+// from the line number after the file's name on.
 #include "rubber_suspension/io/component_file.h"
 #include "support/files.h"
 #include "support/test.h"

@@ -1,4 +1,4 @@
-// The component file: what is accepted, what is written reads back to the same numbers.
+// Component files: which ones are accepted, and that written files read back to the same numbers.
 #include "rubber_suspension/io/component_file.h"
 
 #include <sys/stat.h>
@@ -54,7 +54,7 @@ TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
   EXPECT_EQ(components[0].add[0].value("displacement"), 0.0022);
   EXPECT_EQ(components[1].model(), estimation::Model::elements);
   EXPECT_EQ(components[1].allElements().at(0).value("stiffness"), 1e6);
-  // Spring, five Maxwell elements and the friction added.
+  // The elements are a spring, five Maxwell elements and the friction that the file adds.
   EXPECT_EQ(components[0].allElements().size(), 7u);
 }
 
@@ -71,7 +71,7 @@ TEST(ComponentFile, AnglesAndPercentAreConverted) {
   EXPECT_DOUBLE_EQ(components[1].specification().at("relative_damping"), 0.05);
 }
 
-// A parameter server hands on "3.0e6" as text: YAML 1.1 wants a sign in the exponent.
+// A parameter server passes "3.0e6" as text, because YAML 1.1 requires a sign in the exponent.
 std::string withTolerance(const std::string& tolerance) {
   return "components:\n  a:\n    model: kelvin_voigt\n    specification:\n      dynamic_stiffness: 4e6\n"
          "      nominal_frequency: 4\n      loss_angle: 0.1\n      tolerance: " +
@@ -157,7 +157,7 @@ TEST(ComponentFile, AnAliasIsAPlainCopy) {
 
 TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {
   std::string text = "a0: &a0 [x, x]\n";
-  for (int i = 1; i < 60; ++i) {  // 2^60 leaves if it were expanded
+  for (int i = 1; i < 60; ++i) {  // it would expand to 2^60 leaves
     text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [*a" + std::to_string(i - 1) + ", *a" +
             std::to_string(i - 1) + "]\n";
   }
@@ -210,10 +210,10 @@ TEST(ComponentFile, NamesAFileThatCannotBeRead) {
   const TemporaryFile pipe("pipe.yaml", "");
   ASSERT_EQ(unlink(pipe.path().c_str()), 0);
   ASSERT_EQ(mkfifo(pipe.path().c_str(), 0600), 0);
-  EXPECT_THROW(io::loadComponentFile(pipe.path()), io::ComponentFileError);  // and waits for nobody
+  EXPECT_THROW(io::loadComponentFile(pipe.path()), io::ComponentFileError);  // does not wait for a writer
 }
 
-// What was estimated cannot go stale: the specification is read-only, and replaced as a whole.
+// The estimated elements always match the specification, which is read-only and can only be replaced as a whole.
 TEST(ComponentDescription, HasTheElementsOfItsSpecification) {
   using Access = decltype(std::declval<io::ComponentDescription&>().specification());
   static_assert(std::is_same_v<Access, const estimation::Specification&>);
@@ -256,7 +256,7 @@ TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
   EXPECT_EQ(io::selectComponent(one, "").name, "a");
 }
 
-// Values over the whole range of exponents that is accepted, and parameters of every law that takes them.
+// Values over the whole range of accepted exponents, and parameters of every law that accepts them.
 TEST(ToYaml, ReadsBackBitByBit) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> exponent(-100.0, 30.0);
@@ -300,7 +300,6 @@ const char* const kWithTemperature = R"(components:
     temperature: {shift: wlf, c1: 6.14, c2: 146.6 K, reference: 293.15 K, vertical: proportional}
 )";
 
-// Absolute temperatures convert with their zero, differences without; b_T = T/T_0 is a coefficient of 1/T_0.
 TEST(ComponentFile, ValidDisplacement) {
   const auto loaded = [](const std::string& value) {
     return io::parseComponentFile(
@@ -349,9 +348,10 @@ TEST(ComponentDescription, IsValidWhereItSaysNothingWithinItsTables) {
   const std::string friction =
       "components: {a: {model: friction, specification: {static_stiffness: 3e6, dynamic_stiffness: 4.2e6, "
       "nominal_frequency: 4, nominal_amplitude: 2 mm, loss_angle: 4 deg}}}";
-  EXPECT_FALSE(io::parseComponentFile(friction, "").front().validDisplacement());  // an amplitude bounds nothing
+  EXPECT_FALSE(io::parseComponentFile(friction, "").front().validDisplacement());  // a nominal amplitude is not a bound
 }
 
+// Absolute temperatures convert with the offset of their scale, differences without; b_T = T/T_0 has coefficient 1/T_0.
 TEST(ComponentFile, TemperatureWithUnits) {
   const io::ComponentDescription bush = parse(kWithTemperature).at(0);
   ASSERT_TRUE(bush.temperature);

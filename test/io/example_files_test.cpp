@@ -1,4 +1,4 @@
-// The files in config/: all load, and the example shows everything that a component file may hold.
+// All files in config/ load, and the example shows every key of a component file.
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
@@ -9,7 +9,7 @@ namespace {
 
 const std::string kFolder = TEST_DIR "/../config";
 
-// The component, or those of its directions that are not free.
+// Returns the component, or the components of its directions that have a law.
 std::vector<io::ComponentDescription> directionsOf(const io::ComponentDescription& component) {
   if (component.six == nullptr) {
     return {component};

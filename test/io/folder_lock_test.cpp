@@ -1,4 +1,4 @@
-// One run at a time writes into a folder.
+// Only one run at a time writes to a folder.
 #include "io/folder_lock.h"
 
 #include <sys/wait.h>
@@ -23,7 +23,7 @@ class FolderLock : public testing::Test {
     return messageOf<io::OutputRefused>([&] { const io::FolderLock lock(folder_); });
   }
 
-  // Whether another process gets the folder.
+  // Returns true if another process can lock the folder.
   bool otherProcessGetsIt() const {
     const pid_t child = fork();
     if (child == 0) {
@@ -60,7 +60,7 @@ TEST_F(FolderLock, AFolderThatItMadeForNothingGoes) {
   EXPECT_FALSE(fs::exists(folder_));
   fs::create_directories(folder_);
   std::make_unique<io::FolderLock>(folder_).reset();
-  EXPECT_TRUE(fs::exists(folder_));  // it was there before
+  EXPECT_TRUE(fs::exists(folder_));  // because it existed before the lock
 }
 
 TEST_F(FolderLock, AFolderWithAReportStays) {

@@ -1,4 +1,4 @@
-// The rule of what a command may write over: no input by any name, no file twice, no file of another kind unasked.
+// Commands overwrite no input under any name, write no file twice, and replace files of another kind only with --force.
 #include "io/output_files.h"
 
 #include "rubber_suspension/io/component_file.h"
@@ -19,7 +19,7 @@ class CheckOutputs : public ::testing::Test {
     return path(name);
   }
 
-  // The refusal of an output beside an input, or "".
+  // Returns the refusal of outputs together with an input; empty if they are accepted.
   static std::string refusal(const std::string& input, const std::vector<io::OutputFile>& outputs, bool force = false) {
     return messageOf<io::OutputRefused>([&] { io::checkOutputs({{"--log", input}}, outputs, force); });
   }
@@ -65,14 +65,14 @@ TEST_F(CheckOutputs, RefusesTwoOutputsThatAreOneFile) {
   };
   EXPECT_THAT(both("a.svg", "a.svg"), HasSubstr("--plot and --output"));
   EXPECT_THAT(both("a.svg", "./x/../a.svg"), HasSubstr("the same file as"));
-  EXPECT_THAT(both("a.svg", "A.SVG"), HasSubstr("the same file as"));  // on a disk that does not tell the case
+  EXPECT_THAT(both("a.svg", "A.SVG"), HasSubstr("the same file as"));  // on a file system that ignores case
   fs::create_symlink("a.svg", path("dangling.svg"));
   EXPECT_THAT(both("a.svg", "dangling.svg"), HasSubstr("the same file as"));
   EXPECT_EQ(both("a.svg", "b.svg"), "");
   file("b.svg", "<svg>");
   file("B.svg", "<svg>");
   if (!fs::equivalent(path("b.svg"), path("B.svg"))) {
-    EXPECT_EQ(both("b.svg", "B.svg"), "");  // here they are two
+    EXPECT_EQ(both("b.svg", "B.svg"), "");  // this file system distinguishes case
   }
   EXPECT_EQ(refusal("/dev/null",
                     {{"--output", "/dev/null", io::file_kind::bag}, {"--plot", "/dev/null", io::file_kind::bag}}),
@@ -86,7 +86,7 @@ TEST_F(CheckOutputs, AnotherKindOfFileNeedsForce) {
   EXPECT_THAT(refusal("", output), HasSubstr("or --force"));
   EXPECT_EQ(refusal("", output, true), "");
   file("notes.txt", "");
-  EXPECT_EQ(refusal("", output), "");  // nothing is lost
+  EXPECT_EQ(refusal("", output), "");  // an empty file may be replaced
 }
 
 TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
@@ -127,7 +127,7 @@ TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
     }
   }
   EXPECT_TRUE(io::isOfKind(file("example", "\x89PNG\r\n\x1a\n"), io::file_kind::figure));
-  // A log with another column is a measurement, not what the command wrote.
+  // A log with another column is a measurement, not an output of the command.
   EXPECT_FALSE(io::isOfKind(file("example", "time_s,displacement_mm,force_kN\n"), io::file_kind::force_csv));
   EXPECT_FALSE(io::isOfKind(file("example", "my components: a, b\n"), io::file_kind::component_file));
 }

@@ -1,4 +1,4 @@
-// What a terminal shows of work that takes long, and that nothing else shows anything.
+// Long work shows its progress on a terminal, and nowhere else.
 #include "io/progress.h"
 
 #include <fcntl.h>
@@ -18,7 +18,7 @@ void putInPlaceOfStderr(int descriptor) {
   dup2(descriptor, STDERR_FILENO);
 }
 
-// What the work writes to stderr where that is a terminal.
+// Returns what the work writes to stderr if that is a terminal.
 std::string shownOnTerminal(const std::function<void()>& work) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) {
@@ -30,7 +30,7 @@ std::string shownOnTerminal(const std::function<void()>& work) {
   work();
   putInPlaceOfStderr(before);
   close(before);
-  close(screen);  // the last one: what was written is all there before reading fails
+  close(screen);  // after the last descriptor is closed, read() returns all output before it fails
   std::string shown;
   std::array<char, 4096> buffer{};
   for (ssize_t count = 0; (count = read(terminal, buffer.data(), buffer.size())) > 0;) {

@@ -1,4 +1,4 @@
-// The reference page in docs/ is the one that the code prints, and the pages of theory know every element on it.
+// The reference page in docs/ is the output of the code, and the pages of theory describe every element on it.
 #include "io/reference.h"
 
 #include "rubber_suspension/element/catalogue.h"
@@ -13,7 +13,7 @@ TEST(ParameterReference, IsThePageInDocs) {
       << "after a change of a table: rosrun rubber_suspension reference > docs/parameters.md";
 }
 
-// Every element that a file may name has its law on a page of theory.
+// A page of theory describes the law of every element that a file may name.
 TEST(Theory, KnowsEveryElement) {
   const std::string pages = pageInDocs("elements") + pageInDocs("theory");
   for (const element::ElementType& type : element::elementTypes()) {

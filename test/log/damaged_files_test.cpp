@@ -1,4 +1,4 @@
-// MATLAB and HDF5 files that are cut, changed, or lead elsewhere: refused, never read as zeros.
+// MATLAB and HDF5 files that are truncated, altered, or refer to other files are refused and never read as zeros.
 #include <hdf5.h>
 #include <zlib.h>
 
@@ -10,18 +10,18 @@ namespace {
 
 std::string refusalOfMat(const std::string& bytes) { return refusalOf(bytes, {}, "log.mat"); }
 
-// Level 5 of MATLAB, written by its format.
+// Writes MATLAB files of level 5 byte by byte.
 class MatBytes {
  public:
   static std::string header() {
     std::string text(116, ' ');
-    text.resize(128, '\0');  // no data of a subsystem
+    text.resize(128, '\0');  // no subsystem-specific data
     text.replace(0, 19, "MATLAB 5.0 MAT-file");
     text.replace(124, 4, std::string("\x00\x01IM", 4));
     return text;
   }
 
-  // Up to four bytes stand within the tag.
+  // Data of at most four bytes are stored within the tag.
   static std::string element(std::uint32_t type, const std::string& data) {
     const auto size = static_cast<std::uint32_t>(data.size());
     const bool small = size > 0 && size <= 4;
@@ -45,7 +45,7 @@ class MatBytes {
     return matrix(4, 1, static_cast<std::uint32_t>(value.size()), name, element(16, value));
   }
 
-  // A struct, or a row of them: fields of each one after the other.
+  // A struct or a row of structs; `values` contains the fields of each struct in turn.
   static std::string structure(const std::string& name, const std::vector<std::string>& fields, std::uint32_t count,
                                const std::string& values) {
     std::string names;
@@ -86,7 +86,7 @@ const std::vector<double> kTimes = valuesOf([](double i) { return 0.01 * i; });
 const std::vector<double> kMillimetres = valuesOf([](double i) { return std::sin(0.1 * i); });
 const std::vector<double> kNewtons = valuesOf([](double i) { return 500.0 * std::sin(0.1 * i); });
 
-// The columns of a log, each as `wrap` has it.
+// The columns of a log, each encoded by `wrap`.
 template <class Wrap>
 std::string columns(const Wrap& wrap) {
   return wrap(MatBytes::numbers("time_s", kTimes)) + wrap(MatBytes::numbers("displacement_mm", kMillimetres)) +
@@ -99,7 +99,7 @@ std::string plainMat() {
 
 std::string compressedMat() { return MatBytes::header() + columns(MatBytes::compressed); }
 
-// As a scope of Simulink leaves it: structs within a struct, named by their labels.
+// A scope of Simulink as it is saved: structs within a struct, identified by their labels.
 std::string scopeMat() {
   const std::vector<std::string> fields = {"values", "label"};
   const std::string signals =
@@ -145,8 +145,8 @@ std::string zipped(const std::string& text) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-// Files of some kilobytes that would take gigabytes, or minutes.
-constexpr std::size_t kBeyond = 65UL * 1024 * 1024;  // bytes; more than is unpacked unasked
+// Files of some kilobytes whose content would take gigabytes of memory, or minutes to read.
+constexpr std::size_t kBeyond = 65UL * 1024 * 1024;  // bytes; more than is decompressed without --large
 
 TEST(PackedFile, OfFarMoreThanItsSizeIsRefusedUnlessTheUserWantsIt) {
   std::string segments = "time_s,displacement_m,force_N\n";
@@ -183,7 +183,7 @@ TEST(PackedFile, OfMatlabIsRefusedByWhatItClaims) {
   log::LogFormat format;
   format.large = true;
   expectChannels(readText(bytes, format, "log.mat"));
-  // Dimensions that need less than the data are.
+  // The matrix has smaller dimensions than its data.
   const std::string few = MatBytes::matrix(6, 1, 1, "a", MatBytes::element(9, std::string(kBeyond, '\0')));
   EXPECT_THAT(refusalOfMat(MatBytes::header() + MatBytes::compressed(few)), HasSubstr("more data than the matrix has"));
 }
@@ -191,7 +191,7 @@ TEST(PackedFile, OfMatlabIsRefusedByWhatItClaims) {
 TEST(MatFile, IsRefusedWhereverItIsCut) {
   std::mt19937 random(3);
   for (const std::string& bytes : {plainMat(), compressedMat(), scopeMat()}) {
-    // Between two variables a file that is cut is a whole one with fewer of them.
+    // A file that is cut between two variables is a complete file with fewer variables.
     for (int i = 0; i < 150; ++i) {
       const std::size_t size = std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random);
       EXPECT_NE(refusalOfMat(bytes.substr(0, size)), "") << size << " of " << bytes.size();
@@ -217,7 +217,7 @@ TEST(MatFile, NamesTheTableThatItCannotRead) {
               testing::AllOf(HasSubstr("run (table)"), HasSubstr("writetable(NAME, 'LOG.csv')")));
 }
 
-// A file of libhdf5, which a test writes and which is closed before it is read.
+// A file written by libhdf5, which is closed before it is read.
 class Hdf5 {
  public:
   Hdf5() : file_(H5Fcreate(temporary_.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
@@ -238,7 +238,7 @@ class Hdf5 {
     H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   }
 
-  // Nothing is written where there are no values.
+  // Without values, a dataset is created and no data are written.
   void write(const std::string& name, hid_t type, const std::vector<hsize_t>& size, const void* values,
              hid_t properties = H5P_DEFAULT) const {
     const hid_t space = H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr);
@@ -286,8 +286,7 @@ TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {
   EXPECT_EQ(log::readLogs(file.path(), byOption("--segment", "all")).size(), 2U);
 }
 
-// As converters of MDF files write them: groups of a rate of their own.
-// Each group goes by its own time.
+// Converters of MDF files write a group for each rate; each group has its own time.
 TEST(Hdf5File, OfGroupsOfTwoRatesIsOneLog) {
   Hdf5 file;
   std::vector<double> values(100);
@@ -309,7 +308,7 @@ TEST(Hdf5File, OfGroupsOfTwoRatesIsOneLog) {
   EXPECT_EQ(log.counts[97], 0.0);
 }
 
-// A group without a time goes by that of the displacement.
+// A group without a time uses the time of the displacement.
 TEST(Hdf5File, OfColumnsOfTwoLengthsIsRefused) {
   Hdf5 file;
   file.dataset("time_s", std::vector<double>(100, 1.0));
@@ -342,7 +341,7 @@ TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {
   EXPECT_EQ(log.force[7], kNewtons[7]);
 }
 
-// Of a log whose force is a dataset of these properties, without data of its own.
+// Returns the refusal of a log whose force is a dataset with these properties and without data of its own.
 std::string refusalWhereTheForceHas(const std::function<void(hid_t)>& properties) {
   Hdf5 file;
   file.dataset("time_s", kTimes);

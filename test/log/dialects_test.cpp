@@ -1,14 +1,13 @@
-// Logs as instruments and spreadsheets write them, drawn at random: separator, decimal mark, marks between thousands,
+// Logs as instruments and spreadsheets write them, drawn at random: separator, decimal mark, thousands separators,
 // units in the header, in a row of their own below brackets or in the preamble, a time as a number, a clock or a date,
-// several logs in one file, headers that repeat within a log, cells that were not measured, statistics below the data.
-// Each writer knows what its file says.
+// several logs in one file, headers that repeat within a log, missing cells, statistics below the data.
 #include "log/read_text.h"
 #include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
 
-// Numbers as whole thousandths, so that their text is exact.
+// Numbers are whole thousandths, so that their text is exact.
 struct Sample {
   std::int64_t time_ms;
   std::int64_t displacement_um;
@@ -32,7 +31,7 @@ class Draw {
   std::mt19937 random_;
 };
 
-// A file and what it says.
+// A file and its content.
 class Dialect {
  public:
   explicit Dialect(unsigned seed) : draw_(seed) {
@@ -114,13 +113,13 @@ class Dialect {
         addCells(units);
         return;
       }
-      if (preamble_ == 2 && style_ == TimeStyle::number) {  // units in the preamble, behind a cell that says so
+      if (preamble_ == 2 && style_ == TimeStyle::number) {  // units in the preamble, after a cell that announces them
         addCells({"Channel", "1", "2", "3"});
         addCells({"Units", time_unit, mm, newton});
         addCells(names);
         return;
       }
-      const int below = 1 + draw_.upTo(1);  // one unit stands there at least, others may stand in the name
+      const int below = 1 + draw_.upTo(1);  // at least one unit is in the row below, others may be in the name
       for (int i = 0; i < 3; ++i) {
         if (i != below && !units[i].empty() && draw_.chance()) {
           names[i] += " [" + std::exchange(units[i], "") + "]";
@@ -165,7 +164,7 @@ class Dialect {
     return style_ == TimeStyle::clock ? clock : fmt::format("{:02d}.03.2025 {}", day, clock);
   }
 
-  // Of thousandths, with three digits behind the mark and, if drawn, marks between thousands.
+  // Formats thousandths with three digits after the decimal mark and, if drawn, thousands separators.
   std::string numberText(std::int64_t thousandths) const {
     const std::int64_t whole = std::abs(thousandths) / 1000;
     std::string digits = std::to_string(whole);
@@ -181,13 +180,13 @@ class Dialect {
   char separator_ = ';';
   char decimal_ = '.';
   bool thousands_ = false;
-  std::string group_mark_;  // empty: the mark that is not decimal
+  std::string group_mark_;  // empty: the dot or comma that is not the decimal mark
   bool quotes_ = false;
   bool units_row_ = false;
   bool trailing_ = false;
-  bool brackets_ = false;    // of names, that hold no unit
+  bool brackets_ = false;    // in names; they contain no unit
   bool statistics_ = false;  // below the data
-  int buffer_ = 0;           // rows behind which the header repeats; 0: it does not
+  int buffer_ = 0;           // number of rows after which the header repeats; 0: never
   int preamble_ = 0;
   std::size_t repeats_ = 0;
   TimeStyle style_ = TimeStyle::number;
@@ -201,14 +200,14 @@ void expectLog(const log::Log& log, const std::vector<Sample>& samples, const Di
   ASSERT_EQ(log.size(), samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(log.stamp[i] - log.stamp[0], (samples[i].time_ms - samples[0].time_ms) * 1000000);
-    // Two roundings, of the decimal number and of its unit.
+    // The decimal number and its unit are each rounded.
     EXPECT_NEAR(log.displacement[i], 1e-6 * static_cast<double>(samples[i].displacement_um), 1e-17);
     EXPECT_EQ(log.counts.empty() || log.counts[i] > 0.0, samples[i].has_force);
     if (samples[i].has_force) {
       EXPECT_NEAR(log.force[i], 1e-3 * static_cast<double>(samples[i].force_mN), 1e-11);
     }
   }
-  const std::int64_t day = dialect.style() == TimeStyle::date ? 20159 : 0;  // 12 March 2025 since 1970
+  const std::int64_t day = dialect.style() == TimeStyle::date ? 20159 : 0;  // days from 1970 to 12 March 2025
   EXPECT_EQ(log.stamp[0], (day * 86400000 + dialect.startMs() + samples[0].time_ms) * 1000000);
 }
 
@@ -236,7 +235,7 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
       format.segment = log::kAllSegments;
     }
     EXPECT_EQ(repeats, dialect.repeats());
-    EXPECT_EQ(noted, dialect.leftOut());  // each log lacks one at most
+    EXPECT_EQ(noted, dialect.leftOut());  // each log has at most one such note
     if (logs.size() > 1) {
       EXPECT_THROW(log::readLog(file.path()), log::LogError);
     } else {
@@ -256,7 +255,7 @@ TEST(Advice, SettlesWhetherMarksAreThousands) {
   EXPECT_EQ(readText(text, byOption("--decimal", ",")).force[2], 1000.0);
 }
 
-// A mark that other columns tell holds for all, unless it makes jumps of a channel that has none.
+// A decimal mark that other columns determine holds for all, unless a smooth channel would then jump.
 TEST(Advice, LeavesTheMarkToTheOtherColumns) {
   const std::string head = "Time [s];Travel [mm];Force [N]\n";
   EXPECT_EQ(readText(head + "0,005;1,25;998\n0,010;1,5;1.002\n", {}).force[1], 1002.0);
@@ -271,7 +270,7 @@ TEST(Advice, LeavesTheMarkToTheOtherColumns) {
             1002.0);
 }
 
-// The mark that a late number tells holds for those before, too.
+// A decimal mark that a late number determines also holds for earlier numbers.
 TEST(Advice, ReadsAgainWhereALateNumberTellsTheMark) {
   EXPECT_EQ(readText("Time [s];Travel [um]\n1;1.250\n2;1.500\n3;2,5\n", {}).displacement[0], 1250e-6);
 }
@@ -292,7 +291,7 @@ TEST(Advice, ReplacesStampsThatAreEqualSwappedOrRounded) {
   }
 }
 
-// Whole seconds of a clock; the recording begins and ends within one.
+// The clock shows whole seconds; the recording begins and ends within one.
 TEST(Advice, CountsTheRowsOfWholeSeconds) {
   std::string text = "Timestamp,displacement_mm,force_N\n";
   for (int i = 0; i < 2000; ++i) {
@@ -332,7 +331,7 @@ TEST(Advice, NamesTheSegments) {
   EXPECT_EQ(readText(text, byOption("--segment", "2")).displacement[0], 3e-3);
 }
 
-// As LabVIEW writes it, whose X_Value is in seconds.
+// A file of LabVIEW, whose X_Value is in seconds.
 TEST(Advice, NamesTheSegmentsOfAFormatThatDefinesItsTime) {
   std::string text;
   for (int segment = 1; segment <= 2; ++segment) {
@@ -436,8 +435,8 @@ TEST(Header, ThatAnErrorListsStandsAboveTheNumbers) {
               HasSubstr("accepted: --unit time=ns"));
 }
 
-// A header for each buffer, while time continues at the same step, is one log; one whose time restarts or pauses is
-// not.
+// Logs with a header for each buffer are one log if time continues at the same step, but several if time restarts or
+// pauses.
 TEST(Segments, AreNoneWhereAHeaderRepeatsAndTimeContinues) {
   const std::string head = "Running Time\tAxial Displacement\tAxial Force\nSec\tmm\tkN\n";
   const auto rows = [](int first, int count) {
@@ -478,7 +477,7 @@ TEST(Rows, OfStatisticsBelowTheDataAreLeftOut) {
   EXPECT_THAT(refusalOf(data + "Min\t-2.0\t-2700\n3\t1\t2\n"),
               HasSubstr(":5: there is a row of statistics with data below it"));
   EXPECT_THAT(refusalOf(data + "end of test\t1\t2\n"), HasSubstr("'end of test' is not a number"));
-  // Words that all rows have are none of them.
+  // Words in all rows do not mark statistics.
   EXPECT_EQ(readText("Peak,time_s,displacement_mm\nmax,0,1\nmin,1,-1\nmax,2,1\n").size(), 3U);
 }
 
@@ -491,7 +490,7 @@ TEST(Numbers, HaveSignsApartFromTheirDigits) {
   }
 }
 
-// Shift-JIS: "time", "displacement" and "load" in Japanese.
+// The names are Japanese for "time", "displacement" and "load" in Shift-JIS.
 TEST(Names, OfJapaneseInstrumentsAreShownAsTheyAre) {
   const std::string text = "\x8E\x9E\x8A\xD4[s],\x95\xCF\x88\xCA[mm],\x89\xD7\x8F\x64[N]\n0,1,2\n1,2,3\n";
   EXPECT_THAT(readText(text).notes.front(),
@@ -506,15 +505,15 @@ TEST(Times, AreReadWithZoneMidnightAndDays) {
   EXPECT_EQ(stampsOf("23:59:59.5", "00:00:00,25"), 750000000);
   EXPECT_EQ(stampsOf("12.03.2025 14:31:07,123", "12.03.2025 14:31:07,128"), 5000000);
   EXPECT_EQ(stampsOf("2025-03-12T14:31:07+01:00", "2025-03-12T13:31:08Z"), 1000000000);
-  EXPECT_EQ(stampsOf("2024-02-28 23:59:59", "2024-03-01 00:00:00"), 86401000000000);  // a leap year
+  EXPECT_EQ(stampsOf("2024-02-28 23:59:59", "2024-03-01 00:00:00"), 86401000000000);  // 2024 is a leap year
   EXPECT_EQ(stampsOf("11:59:59 AM", "12:00:00 PM"), 1000000000);
   EXPECT_NEAR(static_cast<double>(stampsOf("45975.5", "45975.500011574")), 1e9,
-              1e5);  // a second of a spreadsheet's day
+              1e5);  // one second as a fraction of a spreadsheet's day
   EXPECT_THAT(refusalOf("Time;Travel [mm]\n11/12/2025 23:59:59;1\n12/12/2025 00:00:00;2\n"), HasSubstr("ISO 8601"));
   EXPECT_THAT(refusalOf("Time;Travel [mm]\n1;1\n2;2\n"), HasSubstr("--unit time=UNIT"));
 }
 
-// LabVIEW's own files have a column of comments, under which most rows have no cell.
+// LabVIEW's own files have a column of comments, which is empty in most rows.
 TEST(Dialects, OfLabViewHaveCommentsBehindTheRows) {
   const std::string preamble =
       "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\n***End_of_Header***\t\n\t\nChannels\t2\t\t\n"

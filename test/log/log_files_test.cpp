@@ -1,6 +1,6 @@
-// Logs as rigs and spreadsheets write them. good_logs/X has what it has to give in X.expected: the options, the notes,
-// and a line "stamp [ns], displacement [m], force [N]" per sample. bad_logs/X.csv has in X.error how its error begins,
-// behind the file's name and a colon.
+// Logs as rigs and spreadsheets write them. X.expected lists for good_logs/X the options, the notes, and a line "stamp
+// [ns], displacement [m], force [N]" per sample. X.error contains for bad_logs/X.csv the beginning of its error, after
+// the file's name and a colon.
 #include <sys/stat.h>
 
 #include "log/text.h"
@@ -26,7 +26,7 @@ struct Expected {
   std::vector<double> force;
 };
 
-// "--columns time=a b displacement=c --unit mm": a word without a dash or an equals sign goes on with the one before.
+// "--columns time=a b displacement=c --unit mm": a word without a dash or an equals sign continues the word before it.
 log::LogFormat formatOf(const std::string& options) {
   std::vector<std::string> columns;
   std::string unit;
@@ -77,7 +77,7 @@ Expected readExpected(const std::string& path) {
 void expectSame(const std::vector<double>& values, const std::vector<double>& expected) {
   ASSERT_EQ(values.size(), expected.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    EXPECT_DOUBLE_EQ(values[i], expected[i]) << "sample " << i + 1;  // some rounding steps of a conversion
+    EXPECT_DOUBLE_EQ(values[i], expected[i]) << "sample " << i + 1;  // a conversion of units rounds several times
   }
 }
 
@@ -108,7 +108,7 @@ TEST_P(BadLog, IsRefusedWithItsError) {
   EXPECT_THAT(text, StartsWith(GetParam() + ":" + expected));
   EXPECT_THAT(text, HasSubstr("accepted"));
   EXPECT_LT(text.size(), GetParam().size() + 1000);
-  // Nothing that a terminal would obey.
+  // A terminal must not receive control characters.
   EXPECT_TRUE(std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; })) << text;
   EXPECT_TRUE(log::isUtf8(text));
   EXPECT_EQ(log::oneLine(text), text);
@@ -135,7 +135,7 @@ TEST(OneLine, EscapesWhatATerminalObeys) {
                          "fstand \xc2\xb5m"),
             "Pr\xc3\xbc"
             "fstand \xc2\xb5m");
-  EXPECT_EQ(log::oneLine("\xff\xc2\x9b\xe2\x80\xae"), "\\xff\\xc2\\x9b\\xe2\\x80\\xae");  // no UTF-8, CSI, override
+  EXPECT_EQ(log::oneLine("\xff\xc2\x9b\xe2\x80\xae"), "\\xff\\xc2\\x9b\\xe2\\x80\\xae");  // not UTF-8, CSI, override
   EXPECT_EQ(log::oneLine(std::string("\0", 1)), "\\x00");
 }
 

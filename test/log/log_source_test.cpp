@@ -15,7 +15,7 @@ namespace {
 using log::Log;
 using log::LogSource;
 
-constexpr std::size_t kLong = 5 * log::kLogBlock + 1234;  // of which a file is not kept
+constexpr std::size_t kLong = 5 * log::kLogBlock + 1234;  // a file of this length is not kept in memory
 
 Log sine(std::size_t samples, double uneven = 0.0) {
   std::mt19937 generator(1);
@@ -79,7 +79,7 @@ TEST(LogSource, GivesAFileAsReadLogDoes) {
   }
 }
 
-// One-dimensional datasets and the columns of a matrix, each longer than what is kept.
+// One-dimensional datasets and the columns of a matrix; both are too long to be kept in memory.
 TEST(LogSource, GivesAnHdf5FileAsReadLogDoes) {
   const Log log = sine(kLong);
   const TemporaryFile file("log.h5", "");
@@ -105,7 +105,7 @@ TEST(LogSource, GivesAnHdf5FileAsReadLogDoes) {
   }
 }
 
-// Units, comments, a rate instead of a time: what is told of a file is the same.
+// The file has units, a comment, and no time; notes are the same as those of readLog().
 TEST(LogSource, GivesALongForeignFileAsReadLogDoes) {
   std::string text = "Weg [mm];Kraft [kN]\n";
   for (std::size_t i = 0; i < kLong; ++i) {
@@ -133,7 +133,7 @@ TEST(LogSource, IsReadNoFurtherThanAskedFor) {
   EXPECT_EQ(blocks, 2U);
 }
 
-// A sine whose samples lie a millisecond apart, but for a pause.
+// A sine whose samples are a millisecond apart, except for a pause.
 Log withPause(std::size_t before, std::size_t after, std::int64_t pause) {
   Log log = sine(before + after);
   for (std::size_t i = before; i < log.size(); ++i) {
@@ -163,7 +163,7 @@ TEST(GapBetweenStamps, BeginsAnewAndIsNotFilled) {
   EXPECT_EQ(samples, log.size());
   ASSERT_EQ(gaps.size(), 2U);
   EXPECT_EQ(gaps[0], 0.0);
-  // To the samples that the even steps end and begin with, which lie on those of the log up to the jitter.
+  // The gap is measured between samples at even steps, which equal those of the log up to the jitter.
   EXPECT_NEAR(gaps[1], 1e-9 * static_cast<double>(log.stamp[5000] - log.stamp[4999]), 0.02 * even.dt);
 }
 
@@ -172,7 +172,7 @@ TEST(GapBetweenStamps, ShortDropoutsAreNone) {
   EXPECT_EQ(log::stretchesOf(sine(2)).size(), 1U);
 }
 
-// 20,000 samples 10 ns apart and 11,000 that are 2 ms apart: at even steps of 10 ns these would be 2.2e9.
+// 20,000 samples are 10 ns apart and 11,000 are 2 ms apart, which would be 2.2e9 samples at even steps of 10 ns.
 TEST(GapBetweenStamps, DenseSamplesAmongOthersTakeNoMemory) {
   Log log = sine(31000);
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -182,7 +182,7 @@ TEST(GapBetweenStamps, DenseSamplesAmongOthersTakeNoMemory) {
   EXPECT_LE(log::evenRecord(log).size(), 2 * 31000 + 1);
 }
 
-// Samples at even steps of the logarithm of time, as of creep tests: the steps grow to hours, and none is a gap.
+// Samples at even steps of the logarithm of time, as in creep tests, have steps that grow to hours without a gap.
 TEST(GapBetweenStamps, StepsThatGrowAreNone) {
   Log log = sine(400);
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -204,7 +204,7 @@ TEST(EvenBlocks, AreThoseOfARecord) {
     });
     const log::EvenSteps even = steps.evenSteps();
     EXPECT_EQ(even.as_recorded, uneven < 0.01);
-    // Steps of random lengths are counted in classes: of 600,000 ns, 16,384 of 64 ns and fewer.
+    // Random steps are counted in at most 16,384 classes, which are up to 64 ns wide here.
     EXPECT_NEAR(even.dt, record.dt, uneven < 0.01 ? 0.0 : 64e-9);
     std::vector<double> displacement;
     std::vector<double> force;
@@ -224,8 +224,8 @@ TEST(EvenBlocks, AreThoseOfARecord) {
       EXPECT_EQ(force, log.force);
       continue;
     }
-    // Against the sine itself: what a straight line between two samples of up to 1.6 ms leaves of it, A (6 h)^2 / 8,
-    // and of the cosine.
+    // The bounds are the errors A (6 h)^2 / 8 of linear interpolation of a sine between samples of h = 1.6 ms at most,
+    // and that of the cosine.
     for (std::size_t i = 0; i < displacement.size(); ++i) {
       const double time = even.dt * static_cast<double>(i) + 1e-9 * static_cast<double>(log.stamp.front());
       ASSERT_NEAR(displacement[i], 1e-3 * std::sin(6.0 * time), 1e-3 * std::pow(6.0 * 1.6e-3, 2) / 8.0) << i;

@@ -1,4 +1,4 @@
-// Reading and writing of CSV logs: what is accepted, to the last bit, and what is refused with line and reason.
+// Reading and writing of CSV logs: accepted ones agree to the last bit; refused ones are reported with line and reason.
 #include "rubber_suspension/log/log.h"
 
 #include <time.h>
@@ -16,11 +16,11 @@ namespace {
 void expectNear(const std::vector<double>& values, const std::vector<double>& expected) {
   ASSERT_EQ(values.size(), expected.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    EXPECT_DOUBLE_EQ(values[i], expected[i]) << "sample " << i;  // some roundings in the chain of conversions
+    EXPECT_DOUBLE_EQ(values[i], expected[i]) << "sample " << i;  // the conversion of units rounds several times
   }
 }
 
-// What a text is read as; the notes begin like these.
+// Checks the log that is read from a text; its notes begin with `notes`.
 void expectRead(const std::string& name, const std::string& text, const log::LogFormat& format,
                 const std::vector<std::int64_t>& stamp, const std::vector<double>& displacement,
                 const std::vector<double>& force, const std::vector<std::string>& notes) {
@@ -48,7 +48,7 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
              {0.5, -0.5}, {}, {});
   expectRead("ALastLineWithoutEnd", "time_s,displacement_m\n0,0\n1,0.25", {}, {0, 1000000000}, {0.0, 0.25}, {},
              {"the last line, 3, has no line end; it may have been cut off"});
-  // The last is a time since 1970: a double would be off by up to 119 ns.
+  // The last stamp is a time since 1970, which a double would represent with an error of up to 119 ns.
   expectRead("TimeToTheNearestNanosecond",
              "time_s,displacement_m\n-0.5,0\n0.0000000014,0\n3.3333333335,0\n1732190400.123456789,0\n", {},
              {-500000000, 1, 3333333334, 1732190400123456789}, {0.0, 0.0, 0.0, 0.0}, {}, {});
@@ -93,7 +93,7 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
   expectRead("AUnitInPlaceOfSomeNames", "ms,Position (mm),kN\n0,1,2\n4.5,2,3\n",
              byColumns({"time=1", "displacement=2", "force=3"}), {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0},
              {"time from 'ms'"});
-  // A unit of something else is a name.
+  // A unit of another quantity is a name.
   expectRead("ASecondThatIsADisplacement", "t,s\n0,1\n4.5,2\n", byColumns({"time=t", "displacement=s"}),
              {0, 4500000000}, {1.0, 2.0}, {}, {"time from 't'", "", ""});
 }
@@ -146,14 +146,14 @@ TEST(ReadCsvLog, NamesAFileThatCannotBeRead) {
   EXPECT_THROW(log::readCsvLog("/"), log::LogError);
 }
 
-// Time that this thread was at work [s]: what other programs take does not count.
+// Processor time of this thread [s], which excludes that of other programs.
 double processorTime() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// The shortest of some attempts, since the machine may be busy with other things.
+// The shortest of five attempts, because the machine may be busy.
 double shortestTime(const std::function<void()>& work) {
   double shortest = std::numeric_limits<double>::infinity();
   for (int attempt = 0; attempt < 5; ++attempt) {
@@ -164,7 +164,7 @@ double shortestTime(const std::function<void()>& work) {
   return shortest;
 }
 
-// The sum of all numbers of a text, as the C library reads them.
+// The sum of all numbers of a text, read by the C library.
 double sumOfNumbers(const std::string& text) {
   double sum = 0.0;
   for (const char* at = text.c_str(); *at != '\0';) {
@@ -175,8 +175,8 @@ double sumOfNumbers(const std::string& text) {
   return sum;
 }
 
-// Rows of 17 digits: the reader has to be fast enough never to be what a user waits for. It takes about as long as the
-// C library takes for the numbers alone; three times that is for machines whose cores are shared.
+// Rows of 17 digits: no user should have to wait for the reader. It takes about as long as the C library takes for the
+// numbers alone; the limit is three times that, for machines with shared cores.
 TEST(ReadCsvLog, Reads130000RowsAboutAsFastAsTheirNumbers) {
   std::string text;
   std::mt19937 random(1);

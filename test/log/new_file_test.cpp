@@ -1,4 +1,4 @@
-// Files that are written beside and renamed: an older one stays whole until the new one is complete, whatever happens.
+// Files are written under another name and renamed: the older file stays whole until the new one is complete.
 #include "log/new_file.h"
 
 #include <signal.h>
@@ -93,13 +93,13 @@ TEST(NewFile, NamesWhatCannotBeWritten) {
   EXPECT_THAT(errorOf([] { log::NewFile("/nonexistent/out.csv"); }),
               HasSubstr("/nonexistent/out.csv: cannot be written: No such file or directory"));
   EXPECT_THAT(errorOf([&] { log::NewFile(file.folder() + ""); }), HasSubstr("Is a directory"));
-  if (geteuid() != 0) {  // root may write to everything
+  if (geteuid() != 0) {  // root may write to any file
     chmod(file.path().c_str(), 0400);
     EXPECT_THAT(errorOf([&] { log::NewFile(file.path()); }), HasSubstr("Permission denied"));
   }
 }
 
-// The status of a child that does the work.
+// Does the work in a child process and returns the status of the child.
 int inChild(const std::function<void()>& work) {
   const pid_t child = fork();
   if (child == 0) {
@@ -133,7 +133,7 @@ log::Log longLog() {
   return logOf("", 20000, 1000000, [](int i) { return 1e-3 / 3.0 * i; });
 }
 
-// A limit of the size of files ends the writing in its middle, as a full disk does.
+// A limit on the size of files interrupts the writing, as a full disk does.
 TEST(NewFile, AFileBeyondTheLimitLeavesTheOlder) {
   const TemporaryFile file("out.csv", "older");
   const int status = inChild([&] {
@@ -147,7 +147,7 @@ TEST(NewFile, AFileBeyondTheLimitLeavesTheOlder) {
   EXPECT_THAT(namesIn(file.folder()), ElementsAre("out.csv"));
 }
 
-// The same on a file system of 64 KiB, where one may be mounted.
+// A full file system of 64 KiB, where the test may mount one.
 TEST(NewFile, AFullDiskLeavesTheOlder) {
   const TemporaryFile folder("keep", "");
   const std::string disk = folder.folder() + "/disk";

@@ -1,4 +1,4 @@
-// Logs of six directions: columns, units, what is refused.
+// Logs of six directions: columns, units, refusals.
 #include "rubber_suspension/log/pose_log.h"
 
 #include <unistd.h>

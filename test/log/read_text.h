@@ -1,4 +1,4 @@
-// Logs of texts: what is read, what is refused, and the option that an error advises.
+// Reads logs from texts for tests, returns their refusals, and applies the options that errors advise.
 #pragma once
 
 #include "rubber_suspension/log/log.h"
@@ -7,14 +7,14 @@
 
 namespace rubber_suspension {
 
-/// The log of a text, which may be bytes of any format.
+/// Returns the log of a text, which may be bytes of any format.
 inline log::Log readText(const std::string& text, const log::LogFormat& format = {},
                          const std::string& name = "log.csv") {
   const TemporaryFile file(name, text);
   return log::readLog(file.path(), format);
 }
 
-/// Why a text is refused; empty where it is not.
+/// Returns the reason why a text is refused; empty if it is accepted.
 inline std::string refusalOf(const std::string& text, const log::LogFormat& format = {},
                              const std::string& name = "log.csv") {
   return messageOf<log::LogError>([&] { readText(text, format, name); });
@@ -25,7 +25,7 @@ inline log::LogFormat byColumns(const std::vector<std::string>& columns, const s
   return log::makeLogFormat(columns, units, rate);
 }
 
-/// The format of an option that takes a number or a word.
+/// Returns the format for an option and its value.
 inline log::LogFormat byOption(const std::string& option, const std::string& value) {
   const auto given = [&](const char* name) { return option == name ? value : std::string(); };
   return log::makeLogFormat({}, given("--unit"), option == "--sampling-rate" ? std::stod(value) : 0.0,
@@ -33,7 +33,7 @@ inline log::LogFormat byOption(const std::string& option, const std::string& val
                             given("--sentinel"));
 }
 
-/// The same with the value that an error advises: it is tried with the file that raised the error.
+/// Returns the format for an option with the value that an error advises.
 inline log::LogFormat advised(const std::string& error, const std::string& option) {
   const std::size_t at = error.find(option + " ");
   EXPECT_NE(at, std::string::npos) << error;

@@ -1,5 +1,5 @@
-// Logs whose channels have rates of their own, cells that were not measured, numbers that stand for none, and units as
-// people write them: read with their numbers, or refused with an option that reads them.
+// Logs whose channels have different rates, with missing cells, codes for missing values, and units as people write
+// them, are read with their numbers, or refused with an option that reads them.
 #include "log/file_format.h"
 #include "log/read_text.h"
 #include "support/test.h"
@@ -28,7 +28,7 @@ Cell insteadAt(const std::vector<int>& rows, const std::string& text, const Cell
   return [=](int row) { return std::count(rows.begin(), rows.end(), row) > 0 ? text : cell(row); };
 }
 
-// At 1 kHz.
+// The rows are 1 ms apart.
 std::string table(const std::string& header, const std::vector<Cell>& cells) {
   std::string text = header + "\n";
   for (int row = 0; row < kRows; ++row) {
@@ -91,7 +91,7 @@ TEST(Signals, AMissingForceLeavesItsDisplacement) {
   EXPECT_THAT(log.notes, Contains(HasSubstr("the first without in line 9: force_N: 'OL' is not a number")));
 }
 
-// Two topics in one table, which never share a row.
+// Two topics in one table never share a row.
 TEST(Signals, OfTwoClocksAreInterpolated) {
   const auto cells = [](int even, const Cell& cell) {
     return [=](int row) { return row % 2 == even ? cell(row) : std::string(); };
@@ -106,7 +106,7 @@ TEST(Signals, OfTwoClocksAreInterpolated) {
   }
 }
 
-// Longer than three steps of a clock of its own.
+// The gap is longer than three steps of the force's own clock.
 TEST(Signals, AreNotInterpolatedOverAGap) {
   const Cell force = [](int row) { return row % 2 == 1 && (row < 500 || row > 600) ? forceCells()(row) : ""; };
   const log::Log log = readText(table(kHeader, {every(2, displacementCells()), force}));
@@ -114,7 +114,7 @@ TEST(Signals, AreNotInterpolatedOverAGap) {
   EXPECT_EQ(log.counts[200], 1.0);
 }
 
-// No advice leaves out more than a tenth.
+// Options that omit more than a tenth of the rows are not advised.
 TEST(Signals, ALostDisplacementIsBridgedWhereLittleIsLost) {
   std::vector<int> few;
   std::vector<int> many;
@@ -166,13 +166,13 @@ TEST(Sentinels, OfManyRowsAreRefusedWithAnOption) {
   EXPECT_EQ(readText(text, advised(error, "--sentinel")).size(), static_cast<std::size_t>(kRows));
 }
 
-// Peaks, channels at their end, and steps have been measured.
+// Peaks, clipped channels and steps are measured values, not codes for missing ones.
 TEST(Sentinels, AreNoPeaksOrSteps) {
   const Cell quiet = [](int row) { return number(0.001 * (row % 3)); };
   const std::vector<Cell> measured = {insteadAt({700}, "5000", displacementCells()),       // one spike
                                       insteadAt({700, 1500}, "150", displacementCells()),  // two high peaks
-                                      [](int row) { return number(std::min(displacementAt(row), 0.5)); },  // at its end
-                                      [&](int row) { return row < 1000 ? quiet(row) : "5"; },              // a step
+                                      [](int row) { return number(std::min(displacementAt(row), 0.5)); },   // clipped
+                                      [&](int row) { return row < 1000 ? quiet(row) : "5"; },               // a step
                                       [&](int row) { return row > 500 && row < 1500 ? "5" : quiet(row); },  // a plateau
                                       [](int row) { return row / 200 % 2 == 0 ? "0" : "5"; },  // a rectangle
                                       [](int row) {
@@ -186,7 +186,7 @@ TEST(Sentinels, AreNoPeaksOrSteps) {
   }
 }
 
-// As LabVIEW restarts its X_Value, and cycles their time.
+// LabVIEW restarts its X_Value, and cycles restart their time.
 TEST(Restarts, OfTheTimeAreSegments) {
   std::string text = kHeader + "\n";
   for (int row = 0; row < kRows; ++row) {
@@ -204,7 +204,7 @@ TEST(Restarts, OfTheTimeAreSegments) {
   EXPECT_EQ(log::readLogs(file.path(), byOption("--segment", "all")).size(), 8U);
 }
 
-// A counter that wraps begins elsewhere than the log did.
+// A counter that wraps restarts at another value than that of the first row.
 TEST(Restarts, OfACounterTellTheRateOfItsSteps) {
   std::string text = "time [ns],displacement_mm\n";
   for (int row = 0; row < kRows; ++row) {
@@ -265,7 +265,7 @@ TEST(UnitSpellings, AreThoseOfBrackets) {
               Contains(HasSubstr("column 'force_in' is ignored; if it is the measured force, use --columns force=3")));
 }
 
-// What is advised for the output of rostopic echo.
+// An error advises these columns for the output of rostopic echo.
 TEST(Formats, ThatRostopicWritesAreReadByTheColumnsThatAreAdvised) {
   const log::Log log =
       readText("%time,field.header.seq,field.displacement\n1764244000000000000,0,0.001\n1764244000001000000,1,0.002\n",
@@ -297,7 +297,7 @@ TEST(Formats, AreNamedByTheirFirstBytes) {
   EXPECT_EQ(log::formatOf("[s],[mm],[N]\n0,1,2\n"), log::FileFormat::text);
 }
 
-// A file of several rates, with cells that were not measured, and what it says.
+// A random file of several rates with missing cells, and its content.
 class Drawn {
  public:
   explicit Drawn(unsigned seed) : random_(seed) {
