@@ -1,5 +1,5 @@
-// The rules of FMI 2.0.4 (2.2 and 4.3) and FMI 3.0 (2.4 and 4.3) for modelDescription.xml, as far as they are about
-// what a co-simulation FMU of real variables may hold.
+// Rules of FMI 2.0.4 (2.2 and 4.3) and FMI 3.0 (2.4 and 4.3) for modelDescription.xml, as far as they concern a
+// co-simulation FMU with real variables.
 #include "fmi/description_check.h"
 
 #include <tinyxml2.h>
@@ -40,7 +40,7 @@ std::optional<double> numberOf(const std::string& text) {
   return !text.empty() && *end == '\0' ? std::optional<double>(value) : std::nullopt;
 }
 
-// The table "initial" of the standard: what a causality and a variability leave to choose.
+// The standard's table "initial": the values that a causality and a variability permit.
 const std::map<std::pair<std::string, std::string>, std::set<std::string>>& initialTable() {
   static const std::map<std::pair<std::string, std::string>, std::set<std::string>> table = {
       {{"parameter", "fixed"}, {"", "exact"}},
@@ -298,7 +298,7 @@ class Check {
     return result;
   }
 
-  // FMI 2.0 counts the variables from 1, FMI 3.0 names their references.
+  // FMI 2.0 refers to variables by their number, counted from 1; FMI 3.0 by their value references.
   template <class Choice>
   std::vector<std::string> chosen(Choice choice) const {
     std::vector<std::string> result;

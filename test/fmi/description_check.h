@@ -1,4 +1,4 @@
-// The rules of the standard for modelDescription.xml, those of its tables that a schema cannot say among them.
+// Rules of the standard for modelDescription.xml, with those of its tables that a schema cannot express.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::fmi::test {
 
-/// What breaks a rule, one line each; empty where all is well.
+/// Returns a line for each violation of a rule; empty if there is none.
 std::vector<std::string> brokenRules(const std::string& xml, Version version);
 
 }  // namespace rubber_suspension::fmi::test

@@ -1,4 +1,4 @@
-// What the exporter writes: the description by the rules of the standard, the archive, and its refusals.
+// Tests the exporter: its description against the rules of the standard, its archive, and its refusals.
 #include "fmi/export.h"
 
 #include "element/typical_elements.h"
@@ -179,7 +179,7 @@ TEST(Archive, TakesNoComponentThatIsTooLarge) {
   EXPECT_THAT([&] { makeFmu(large, Version::fmi2, parts()); }, ThrowsMessage<std::runtime_error>(HasSubstr("at most")));
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)  // with sanitizers it needs their libraries
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)  // a binary with sanitizers needs their libraries
 std::string outputOf(const std::string& command) {
   std::string output;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
@@ -190,7 +190,7 @@ std::string outputOf(const std::string& command) {
   return output;
 }
 
-// Only the C library and its mathematics, and nothing of ours to be seen but the functions of the standard.
+// The binary links only the C library and its mathematics, and exports only the functions of the standard.
 TEST(Binary, StandsAlone) {
   const std::string dynamic = outputOf("readelf -d -W " FMU_BINARY);
   ASSERT_THAT(dynamic, HasSubstr("NEEDED"));

@@ -1,4 +1,4 @@
-// What an importer does with an FMU: unpacks it, loads its binary with dlopen and calls the functions of the standard.
+// Imports an FMU for tests: unpacks it, loads its binary with dlopen, and calls the functions of the standard.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::fmi::test {
 
-/// Those of one direction.
+/// Value references of a component of one direction.
 namespace reference {
 using namespace fmi::reference;
 constexpr Reference kElastic = 3;
@@ -20,10 +20,10 @@ constexpr Reference kViscous = 4;
 constexpr Reference kFriction = 5;
 }  // namespace reference
 
-/// What the functions return, in both versions.
+/// Status codes of the functions in both versions.
 enum Result { kOk = 0, kWarning = 1, kDiscard = 2, kError = 3, kFatal = 4 };
 
-/// An unpacked FMU in a folder of its own, whose binary is loaded and then deleted: nothing is left to read.
+/// An unpacked FMU in a folder of its own. The binary is deleted once it is loaded, so it cannot read any files.
 class LoadedFmu {
  public:
   LoadedFmu(const io::ComponentDescription& description, Version version);
@@ -34,13 +34,13 @@ class LoadedFmu {
   Version version() const { return version_; }
   const std::string& guid() const { return guid_; }
 
-  /// A function by its name. Throws where the binary has none.
+  /// Returns a function by its name. Throws if the binary has none of this name.
   template <class Function>
   Function* function(const char* name) const {
     return reinterpret_cast<Function*>(symbol(name));
   }
 
-  /// The value references by the names in modelDescription.xml.
+  /// Returns the value reference of a name in modelDescription.xml.
   Reference reference(const std::string& name) const { return references_.at(name); }
   const std::map<std::string, Reference>& references() const { return references_; }
 
@@ -53,7 +53,7 @@ class LoadedFmu {
   void* library_ = nullptr;
 };
 
-/// One instance, by the functions of either version; what it logs is kept.
+/// One instance, called by the functions of either version; its log messages are stored.
 class Importer {
  public:
   struct Message {
@@ -82,9 +82,9 @@ class Importer {
   virtual int setLogging(bool on, const std::vector<const char*>& categories) = 0;
 
   int set(Reference reference, double value) { return set(&reference, 1, &value); }
-  double value(Reference reference);  ///< fails the test where it cannot be had
+  double value(Reference reference);  ///< fails the test if the value is not available
 
-  /// Enter and exit initialisation at a displacement [m].
+  /// Enters and exits initialisation at a displacement [m].
   void start(double displacement, double time = 0.0);
 
   std::vector<Message> messages;

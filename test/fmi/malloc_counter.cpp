@@ -1,4 +1,4 @@
-// Takes the place of glibc's malloc, calloc and realloc, which go on to do the work.
+// Replaces glibc's malloc, calloc and realloc by functions that count the calls and then call the originals.
 #include "fmi/malloc_counter.h"
 
 #include <atomic>

@@ -1,12 +1,12 @@
-// Counts the calls of malloc and its kin in the whole process, those of libraries with an operator new of their own
-// too.
+// Counts the calls of malloc, calloc and realloc in the whole process, with those of libraries that have their own
+// operator new.
 #pragma once
 
 #include <cstddef>
 
 namespace rubber_suspension::fmi::test {
 
-/// Calls since the start of the program; 0 at any time where sanitizers bring an allocator of their own.
+/// Returns the calls since the start of the program; always 0 if sanitizers replace the allocator.
 std::size_t mallocCalls();
 
 }  // namespace rubber_suspension::fmi::test

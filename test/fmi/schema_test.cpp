@@ -1,4 +1,4 @@
-// The description against the schemas of the standard, where these and xmllint are at hand.
+// Validates the description against the schemas of the standard, if these and xmllint are available.
 #include <unistd.h>
 
 #include "element/typical_elements.h"
@@ -59,7 +59,7 @@ TEST_P(Schema, HoldsForEveryModelAndLaw) {
     const Answer answer = validate(xml);
     EXPECT_EQ(answer.status, 0) << component.name << ": " << answer.text;
   }
-  // The check finds what is wrong.
+  // The validation detects an error.
   xml.replace(xml.find("modelName"), 9, "modelTitle");
   EXPECT_NE(validate(xml).status, 0);
 }

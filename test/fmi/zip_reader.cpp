@@ -1,4 +1,4 @@
-// Reads what the exporter packed, by libzip.
+// Reads the archive of the exporter with libzip.
 #include "fmi/zip_reader.h"
 
 #include <zip.h>

@@ -1,4 +1,4 @@
-// Reads what the exporter packed.
+// Reads the archive of the exporter.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::fmi::test {
 
-/// The files in a zip archive, folders left out. Throws std::runtime_error that begins with `source`, its name.
+/// Returns the files of a zip archive. Throws std::runtime_error whose text begins with the name of its `source`.
 std::vector<ArchiveEntry> fromZip(const std::string& bytes, const std::string& source);
 
 }  // namespace rubber_suspension::fmi::test

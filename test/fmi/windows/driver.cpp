@@ -1,8 +1,8 @@
-// Drives the binary of an FMU of one direction as an importer on its platform does, Linux or Windows. It knows nothing
-// of the package but the value references 1 of the displacement and 2 of the force, told on the command line.
+// Drives the binary of an FMU of one direction as an importer does on Linux or Windows. Of the package, it knows only
+// the value references of displacement and force, which are arguments of the command line.
 //
 // Usage: driver BINARY VERSION TOKEN DISPLACEMENT FORCE STOP < LOG; each line of the log is a time and a displacement.
-// It prints a force a line, then the status of a step past the stop time.
+// It prints a force per line, then the status of a step past the stop time.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -55,7 +55,7 @@ void require(int status, const char* call) {
   }
 }
 
-// The calls that both versions have, by their names and with their arguments.
+// Calls of an FMU by name that both versions have, with the arguments of each version.
 class Fmu {
  public:
   Fmu(const char* binary, bool is_3, const char* token) : binary_(binary), is_3_(is_3) {
