@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Holds a running node to its promise from outside: exactly one force per accepted sample, right to the last bit.
+"""Checks a running node from outside: exactly one force per accepted sample, right to the last bit.
 
-Streams samples with mixed faults over connections of its own making, while services are called in a loop, compares
-every force with those of the command `replay`, every counter of /diagnostics with its own, and the memory at the end
-with that after a quarter. One line and exit status 1 where the node fails; the first word tells what: force, counter,
-bundle, state, memory, end or wire.
+Sends samples with mixed faults over its own connections, while it calls services in a loop. Compares every force with
+that of the command `replay`, every counter of /diagnostics with its own, and checks that the memory does not grow with
+the samples. If the node fails, prints a line and ends with exit status 1; the first word is the kind of failure: force,
+counter, bundle, state, memory, end or wire.
 
     drive.py --programs FOLDER [--node PROGRAM] [--samples N] [--components N] [--window N]
 """
@@ -49,7 +49,7 @@ SAMPLE = numpy.dtype([("size", "<u4"), ("seq", "<u4"), ("sec", "<u4"), ("nsec", 
 
 
 class Failure(Exception):
-    """What the node did wrong; the first word tells of which kind it is."""
+    """A failure of the node; the first word is its kind."""
 
 
 def require(condition, message):
@@ -62,7 +62,7 @@ def header(sequence, stamp, frame=FRAME):
 
 
 class Stream:
-    """The samples of one component, faults among them, and what the node must make of them."""
+    """The samples of one component, with faults, and the counters and forces that are expected for them."""
 
     def __init__(self, name, seed):
         self.name = name
@@ -71,7 +71,7 @@ class Stream:
         self.sequence = 0
         self.phase = self.random.uniform(0.0, 6.0)
         self.counts = collections.Counter()
-        self.segments = [[]]  # accepted (stamps, displacements), anew with each restart
+        self.segments = [[]]  # accepted (stamps, displacements), with a new segment for each restart
         self.expected = 0
 
     def wave(self, stamps):
@@ -79,7 +79,7 @@ class Stream:
         return 2e-3 * numpy.sin(13.0 * t + self.phase) + 4e-4 * numpy.sin(101.0 * t)
 
     def run(self, count, step=MILLISECOND):
-        """Samples that are all accepted, in even steps."""
+        """Return accepted samples at even steps."""
         stamps = self.stamp + step * numpy.arange(1, count + 1)
         displacements = self.wave(stamps)
         rows = numpy.zeros(count, SAMPLE)
@@ -102,7 +102,7 @@ class Stream:
         return tcpros.text(header(self.sequence, stamp) + struct.pack("<d", displacement))
 
     def fault(self, kind):
-        """A fault, and what it counts as."""
+        """Return a sample with a fault, and count what it is expected to be counted as."""
         if kind in ("nan", "inf", "-inf"):
             self.counts["dropped, not finite"] += 1
             return self.one(self.stamp + MILLISECOND, float(kind))
@@ -153,14 +153,14 @@ class Stream:
         return tcpros.text(broken[kind])
 
 
-RARE = ["restart"]  # each makes a log of its own for replay
+RARE = ["restart"]  # each one adds a log for replay
 FAULTS = ["nan", "inf", "-inf", "repeat", "back by a nanosecond", "back by a second", "time gap",
           "longest time gap that is none", "lost", "sender counts anew", "a nanosecond", "subnormal", "minus zero",
           "short by a byte", "long by a byte", "four bytes", "frame beyond the end", "frame without end"]
 
 
 class Link:
-    """A component's two connections. Sends ahead of the answers by a window at most, so that no queue overflows."""
+    """The two connections of a component. Sends at most a window ahead of the answers, so that no queue overflows."""
 
     def __init__(self, network, stream, window, samples):
         self.stream = stream
@@ -177,7 +177,7 @@ class Link:
         self.restarts = 3
 
     def produce(self):
-        """More to send, while the window allows and samples are left."""
+        """Prepare the next samples, if the window allows it."""
         stream = self.stream
         if self.pending or self.left <= 0 or stream.expected - self.answered >= self.window:
             return
@@ -217,7 +217,7 @@ class Link:
 
 
 class Bundles:
-    """All bundled components in one message per step, malformed ones in between."""
+    """One message per step for all bundled components, with malformed ones in between."""
 
     MALFORMED = ["unknown name", "lists differ", "numbers beyond the end", "names beyond the end", "long by a byte"]
 
@@ -263,7 +263,7 @@ class Bundles:
             self.malformed += 1
         else:
             self.undecodable += 1
-            self.sequence -= 1  # nobody reads the number of such a message
+            self.sequence -= 1  # the node cannot read the sequence number of such a message
         return tcpros.text(data)
 
     def produce(self):
@@ -321,7 +321,7 @@ class Bundles:
 
 
 def reference(programs, folder, config, stream):
-    """The forces that `replay` gives for the accepted samples, segment by segment."""
+    """Return the forces that `replay` computes from the accepted samples, segment by segment."""
     forces = []
     for segment in stream.segments:
         if not segment:
@@ -371,14 +371,14 @@ def check_link(link, programs, folder, config):
 
 
 class Reports:
-    """The node's /diagnostics. To be read while samples flow, too: minutes of reports fill a socket, and are old."""
+    """The node's /diagnostics; to be read during the run, too, because unread reports fill the socket."""
 
     def __init__(self, sock):
         self.input = sock
         self.data = b""
 
     def take(self):
-        """What has come; returns the last report that is complete."""
+        """Read what has arrived; return the last complete report."""
         latest = None
         piece = self.input.recv(1 << 18)
         if not piece:
@@ -397,7 +397,7 @@ class Reports:
 
 
 def wait_for_counts(diagnostics, expected):
-    """Diagnostics come once per second: all counters must be there sooner or later, and none beyond."""
+    """Wait until all counters equal the expected ones; diagnostics are published once per second."""
     reports = 0
     while True:
         wrong = []
@@ -438,13 +438,13 @@ class Drive:
              f"_state_file:={self.state}", f"_threads:={options.threads}"], "simulate", MUTANT=options.mutant)
 
     def serve(self):
-        """Called again and again while samples flow: a saved state is one instant, a switch changes nothing."""
+        """Call services during the run: a saved state is of one instant, and enabling anew has no effect."""
         done, message = tcpros.trigger(self.network.call(NODE + "/save_state"))
         require(done, f"state: save_state was refused: {message}")
         with open(self.state) as file:
             states = {state["component"]: state for state in json.load(file)["states"]}
         stamps = {states[name]["stamp_ns"] for name in self.bundled}
-        # A component whose sample was not finite keeps the stamp before.
+        # A component whose last sample was not finite keeps its previous stamp.
         require(len(stamps) <= 2, f"state: one save holds bundles of {len(stamps)} instants")
         done, _ = tcpros.trigger(self.network.call(NODE + "/set_enabled", b"\1"))
         require(done, "state: set_enabled was refused")
@@ -452,7 +452,7 @@ class Drive:
         require(done, "state: get_loggers was refused")
 
     def stream(self, links, report):
-        """Until all is answered; pairs of samples answered and memory then, after each further eighth."""
+        """Send until all is answered; return pairs of answered samples and memory after each eighth of them."""
         total = sum(link.left for link in links if isinstance(link, Link))
         memory = []
         rounds = 0
@@ -506,9 +506,9 @@ class Drive:
                     reference(options.programs, self.folder, self.config, stream))
         count = sum(link.answered for link in links)
         if not options.no_memory:
-            # Queues that had not been as full yet grow at once, by megabytes, and on a busy machine again in several parts
-            # of the run; what is kept of each sample grows in every part. So all parts but one, in which a queue may
-            # have been given back, grow by half of sixteen bytes a sample or more only where samples are kept.
+            # Queues that grow to a new size take megabytes at once, on a busy machine in several parts of the run,
+            # whereas memory that is kept for each sample grows in every part. If 16 bytes were kept of each sample, all
+            # parts but one, in which a queue may have been freed, would grow by at least half of that.
             parts = sorted((later - earlier) / (last - first) for (first, earlier), (last, later)
                            in zip(memory[1:], memory[2:]))
             growth = parts[1]

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Ends a node many times: main has to return with status 0 within 5 s, and with nothing left at the master. Each end has
-a master and a node of its own with 100, 150 or 256 components and a live diagnosis, and two processes that take the
-machine's time. In turn it comes at some moment of the start, which the signal alone may end where it comes before main,
-and while samples stream in; by SIGINT and SIGTERM; of those that stream, half come after the master was killed.
+"""Ends a node many times: main has to return with status 0 within 5 s, with no registrations left at the master. Each
+time, a master and a node of their own have 100, 150 or 256 components and a live diagnosis, and two other processes
+load the machine. SIGINT or SIGTERM comes alternately at a random moment of the start, where the signal itself may end
+the process before main, and while samples are sent; in half of these the master was killed before.
 
     ends_test.py PROGRAMS [ENDS]
 """
@@ -22,8 +22,8 @@ import tcpros
 
 NODE = "/simulate"
 LIMIT = 5.0  # [s] from the signal to the end
-PATIENCE = 15.0  # [s] of the test, for a master that has been told everything
-STREAMS = 4  # components that get samples
+PATIENCE = 15.0  # [s] for the master to process the last calls of the node
+STREAMS = 4  # components that receive samples
 
 
 class Ends:
@@ -44,7 +44,7 @@ class Ends:
         return path
 
     def stream(self, writer, reader, over):
-        """Samples as fast as the node answers them, until it has gone."""
+        """Send samples as fast as the node answers them, until it has ended."""
         number = 0
         try:
             while not over.is_set():
@@ -63,8 +63,7 @@ class Ends:
                 [name for name in parameters if name.startswith(NODE + "/")])
 
     def serve(self, network, over, threads):
-        """Samples that stream, once the node has started."""
-        # The service is the last thing that a node registers.
+        """Send samples once the node has registered its last service."""
         last = f"/{self.names[-1]}/rollback"
         tcpros.until(lambda: network.master.lookupService(tcpros.CALLER, last)[0] == 1, "the node")
         for name in self.names[:STREAMS]:
@@ -75,7 +74,7 @@ class Ends:
         time.sleep(0.3)
 
     def end(self, number, moment):
-        """One end; returns what was wrong with it, or nothing."""
+        """End a node once; return a description of the failure, or an empty text."""
         folder = tempfile.mkdtemp(prefix="ends.")
         network = tcpros.Network(folder)
         over = threading.Event()
@@ -93,7 +92,7 @@ class Ends:
             took = time.monotonic() - begin
             self.longest = max(self.longest, took)
             left = [] if moment == "without a master" else self.left(network)
-            while left and time.monotonic() < begin + took + PATIENCE:  # a busy master still does what it was sent
+            while left and time.monotonic() < begin + took + PATIENCE:  # a busy master still processes its calls
                 time.sleep(0.1)
                 left = self.left(network)
             if status not in ((0, -number) if moment == "start" else (0,)) or took > LIMIT or left:

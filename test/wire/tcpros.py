@@ -1,6 +1,6 @@
-"""TCPROS and the slave API by their own bytes: a publisher, a subscriber, a caller of services; no code of ROS in it.
+"""TCPROS and the slave API without code of ROS: a publisher, a subscriber, a caller of services.
 
-See http://wiki.ros.org/ROS/TCPROS and http://wiki.ros.org/ROS/Slave_API. Everything stays on the loopback interface.
+See http://wiki.ros.org/ROS/TCPROS and http://wiki.ros.org/ROS/Slave_API. All traffic stays on the loopback interface.
 """
 
 import os
@@ -16,13 +16,13 @@ import xmlrpc.server
 
 HOST = "127.0.0.1"
 CALLER = "/wire_driver"
-PATIENCE = 60.0  # only bounds how long a failure takes [s]
+PATIENCE = 60.0  # [s], only bounds how long a failure takes
 FRAME = b"x"
-FORCE_SIZE = 4 + 16 + len(FRAME) + 40  # of a Force with its length
+FORCE_SIZE = 4 + 16 + len(FRAME) + 40  # size of a Force with its length
 
 
 class WireError(RuntimeError):
-    """What the other side did that it should not have."""
+    """An error of the other side of the connection."""
 
 
 def free_port():
@@ -32,7 +32,7 @@ def free_port():
 
 
 def until(condition, what, patience=PATIENCE):
-    """Ask again and again until the condition gives something true; returns that."""
+    """Poll the condition until its value is true; return the value."""
     end = time.monotonic() + patience
     while True:
         result = condition()
@@ -44,7 +44,7 @@ def until(condition, what, patience=PATIENCE):
 
 
 def is_closed(connection):
-    """Whether the other side has closed; it is to have sent nothing that is not yet read."""
+    """Return true if the other side has closed the connection; all that it sent must have been read."""
     readable, _, _ = select.select([connection], [], [], 0.0)
     return bool(readable) and connection.recv(1, socket.MSG_PEEK) == b""
 
@@ -55,7 +55,7 @@ def text(value):
 
 
 def sample(number, displacement=1e-3, frame=FRAME, step=1000000, sequence=None):
-    """A Displacement with its length, one in each step [ns] from 1000 s on."""
+    """Return a Displacement with its length; stamps start at 1000 s and are a step [ns] apart."""
     seconds, nanoseconds = divmod(number * step, 10**9)
     return text(struct.pack("<III", number if sequence is None else sequence, 1000 + seconds, nanoseconds) +
                 text(frame) + struct.pack("<d", displacement))
@@ -99,7 +99,7 @@ def proxy(uri):
 
 
 class Program:
-    """A child process in a session of its own that is gone when this is."""
+    """A child process in a session of its own."""
 
     def __init__(self, arguments, environment, log):
         self.log = log
@@ -108,7 +108,7 @@ class Program:
                                             stderr=subprocess.STDOUT, start_new_session=True)
 
     def end(self, number=signal.SIGINT):
-        """Ask it to end; returns its exit status."""
+        """Send the signal; return the exit status."""
         if self.process.poll() is None:
             self.process.send_signal(number)
         try:
@@ -125,7 +125,7 @@ class Program:
             self.process.wait()
 
     def memory(self, field="VmRSS"):
-        """What the process takes [bytes]."""
+        """Return the memory of the process [bytes]."""
         with open(f"/proc/{self.process.pid}/status") as status:
             return next(int(line.split()[1]) * 1024 for line in status if line.startswith(field))
 
@@ -135,7 +135,7 @@ class Program:
 
 
 class Network:
-    """A master, a slave API of our own, and the nodes that are started in it."""
+    """A master, a slave API for the test itself, and the nodes started with them."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -156,7 +156,7 @@ class Network:
         self.slave.register_function(lambda *_: [1, "", os.getpid()], "getPid")
         self.slave_uri = f"http://{HOST}:{self.slave.server_address[1]}"
         threading.Thread(target=self.slave.serve_forever, daemon=True).start()
-        self.waiting = {}  # connections to our publishers that were accepted while another was waited for, by topic
+        self.waiting = {}  # connections to the test's publishers by topic, accepted while waiting for another topic
 
     def master_answers(self):
         try:
@@ -173,14 +173,14 @@ class Network:
         return program
 
     def node_api(self, node):
-        """The slave API of a node, once the master knows it."""
+        """Return the slave API of a node, once the node is registered at the master."""
         def lookup():
             code, _, uri = self.master.lookupNode(CALLER, node)
             return uri if code == 1 else None
         return proxy(until(lookup, f"node {node}"))
 
     def publish(self, topic, message_type):
-        """Register as publisher; the socket of the first subscriber that comes."""
+        """Register as publisher; return the socket of the first subscriber."""
         self.master.registerPublisher(CALLER, topic, message_type, self.slave_uri)
         while topic not in self.waiting:
             try:
@@ -193,7 +193,7 @@ class Network:
                 gone = is_closed(connection)
             except WireError:
                 gone = True
-            if gone:  # a call to the publisher before, which the master's word then ended; it calls again
+            if gone:  # a connection to the previous publisher, which has ended; the node connects again
                 connection.close()
                 continue
             send_header(connection, {"callerid": CALLER, "type": fields["type"], "md5sum": fields["md5sum"],
@@ -203,13 +203,13 @@ class Network:
         return self.waiting.pop(topic)
 
     def subscribe(self, node, topic, receive_buffer=0, caller=CALLER):
-        """A socket on which the messages of a node's topic come in; nothing that it publishes from now on is missed."""
+        """Return a socket that receives the messages of a node's topic; none published from now on is missed."""
         api = self.node_api(node)
         return until(lambda: self.connect(api, topic, receive_buffer, caller), f"{node} to publish {topic}")
 
     @staticmethod
     def connect(api, topic, receive_buffer, caller):
-        """None while the topic does not exist."""
+        """Connect to the topic; return None while the node does not publish it."""
         code, _, protocol = api.requestTopic(CALLER, topic, [["TCPROS"]])
         if code != 1:
             return None
@@ -228,7 +228,7 @@ class Network:
         return None
 
     def call(self, service, request=b""):
-        """Call a service; returns whether it was answered and the bytes of the answer."""
+        """Call a service; return its success and the bytes of the answer."""
         def lookup():
             code, _, uri = self.master.lookupService(CALLER, service)
             return uri if code == 1 else None
@@ -249,13 +249,13 @@ class Network:
 
 
 def trigger(answer):
-    """Success and message of a std_srvs/Trigger response."""
+    """Return success and message of a std_srvs/Trigger response."""
     done, data = answer
     return done and data[0] == 1, data[5:].decode() if done else data.decode()
 
 
 class Reader:
-    """Takes the fields of a message one after the other."""
+    """Reads the fields of a message one by one."""
 
     def __init__(self, data):
         self.data = data
@@ -277,7 +277,7 @@ class Reader:
 
 
 def diagnostics(data):
-    """A DiagnosticArray as {name: (level, message, {key: value})}."""
+    """Return a DiagnosticArray as {name: (level, message, {key: value})}."""
     reader = Reader(data)
     reader.header()
     result = {}

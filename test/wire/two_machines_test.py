@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Runs the recipes of docs/network_and_real_time.md for a bench of two machines, word for word, between network
-namespaces that stand for machines: the player on the second machine gets its forces, and a third machine reaches no port.
-Needs root or user namespaces, ip (iproute2) and, for the firewall, nft; without them a test is skipped.
+"""Runs the recipes of docs/network_and_real_time.md for a bench of two machines, unchanged, with a network namespace
+for each machine: the player on the second machine receives its forces, and a third machine reaches no port. Needs root
+or user namespaces, ip (iproute2) and, for the firewall, nft; without them a test is skipped.
 
     two_machines_test.py PACKAGE    # its folder; rosrun and roslaunch have to find it
 """
@@ -22,7 +22,7 @@ import tcpros
 PACKAGE = pathlib.Path()
 SAMPLES = 200
 AT_FIRST = {"ROS_IP": "10.0.0.1", "ROS_MASTER_URI": "http://10.0.0.1:11311"}
-PATIENCE = 180.0  # only bounds how long a failure takes [s]
+PATIENCE = 180.0  # [s], only bounds how long a failure takes
 PROBE = """
 import socket, sys, concurrent.futures
 def is_open(address):
@@ -38,14 +38,14 @@ with concurrent.futures.ThreadPoolExecutor(len(addresses)) as pool:
 
 
 def recipes():
-    """The four blocks of commands: firewall, namespace, first and second machine."""
+    """Return the four blocks of commands: firewall, namespace, first and second machine."""
     page = (PACKAGE / "docs" / "network_and_real_time.md").read_text()
     section = page[page.index("### A bench of two machines"):page.index("## Real time")]
     return re.findall(r"```sh\n(.*?)```", section, re.DOTALL)
 
 
 def within(namespace, command):
-    # Not `ip netns exec`: a namespace that is added in there cannot be seen outside.
+    # `ip netns exec` would hide a namespace that the command adds.
     return ["nsenter", f"--net=/run/netns/{namespace}", *command]
 
 
@@ -76,7 +76,7 @@ class TwoMachines(unittest.TestCase):
 
     @staticmethod
     def connect(switch, *machines):
-        """An Ethernet switch between interfaces, each with the address of a machine."""
+        """Connect interfaces by an Ethernet switch; each has the address of a machine."""
         run(["ip", "-n", switch, "link", "add", "bridge", "type", "bridge"])
         run(["ip", "-n", switch, "link", "set", "bridge", "up"])
         for name, interface, address in machines:
@@ -90,13 +90,13 @@ class TwoMachines(unittest.TestCase):
         return dict(kept, ROS_HOME=str(self.folder), ROS_LOG_DIR=str(self.folder), **more)
 
     def launch(self, namespace, commands):
-        """Master and node; returns the ports on which they listen. The master is there before, since roslaunch waits for
-        one that it starts no longer than 10 s, which a busy machine may need."""
+        """Start master and node; return the ports on which the node listens. The master is started first, because
+        roslaunch waits at most 10 s for a master of its own, which may be too short on a busy machine."""
         self.start(namespace, "exec rosmaster --core -p 11311", r'(11311)\s.*"rosmaster"')
-        return self.start(namespace, commands, r'(\d+)\s.*"simulate"', 2)  # for messages, and its slave API
+        return self.start(namespace, commands, r'(\d+)\s.*"simulate"', 2)  # one for messages, one for its slave API
 
     def start(self, namespace, commands, pattern, least=1):
-        """Returns all ports once that many listen as the pattern has it."""
+        """Start programs; return all ports on which they listen, once at least that many match the pattern."""
         log = (self.folder / "programs.log").open("a+")
         process = subprocess.Popen(within(namespace, ["bash", "-ec", commands]), stdout=log, stderr=subprocess.STDOUT,
                                    cwd=PACKAGE, env=self.environment(**AT_FIRST), start_new_session=True)
@@ -124,14 +124,14 @@ class TwoMachines(unittest.TestCase):
             process.wait()
 
     def play(self, commands):
-        """On the second machine: each sample has its force."""
+        """Play a log on the second machine: each sample has its force."""
         run(["bash", "-ec", commands], "second", cwd=self.folder, env=self.environment())
         rows = (self.folder / "forces.csv").read_text().splitlines()
         self.assertEqual(len(rows), 1 + SAMPLES)
 
     @staticmethod
     def reached(ports, hosts):
-        """What the third machine can connect to."""
+        """Return the addresses to which the third machine can connect."""
         return run([sys.executable, "-c", PROBE, ",".join(hosts), *ports], "third").split()
 
     def test_by_a_firewall(self):
@@ -157,16 +157,16 @@ class TwoMachines(unittest.TestCase):
         self.assertEqual(self.reached(ports, ["10.0.0.1", "10.1.0.1"]), [])
 
     def test_a_launch_file_keeps_its_node_to_itself(self):
-        """Without an address; the master follows the environment."""
+        """The launch file is started without an address; the master follows the environment."""
         self.connect("cable", ("first", "eth1", "10.0.0.1"), ("third", "eth1", "10.0.0.3"))
         self.launch("first", "roslaunch rubber_suspension simulate.launch config:=$PWD/config/example.yaml")
         ports = re.findall(r':(\d+)\s.*"simulate"', run(["ss", "-Htlnp"], "first"))
-        # The node binds its slave API to the loopback interface while it starts.
+        # The node restricts its slave API to the loopback interface during its start, which may still last.
         tcpros.until(lambda: not self.reached(ports, ["10.0.0.1"]), "the node to be out of reach", PATIENCE)
 
 
 def enter(arguments):
-    """Go on in namespaces of this process's own, in which the names of others are not touched."""
+    """Restart in namespaces of this process's own, so that those of the machine are not changed."""
     own = ["unshare", *([] if os.getuid() == 0 else ["--user", "--map-root-user"]), "--mount", "--net"]
     ready = "mount -t tmpfs tmpfs /run && mkdir /run/netns"
     if not shutil.which("ip"):
