@@ -1,4 +1,4 @@
-// Mistakes of a bench are named with their correction, and logs without one are left to the diagnosis.
+// Errors of a bench are reported with their correction; differences that effects explain are not.
 #include "rubber_suspension/measurement/bench_check.h"
 
 #include "measurement/examine.h"
@@ -51,7 +51,7 @@ TEST(BenchCheck, NamesSwappedColumns) {
   expectAll(p, finding::kSwappedColumns, "swap");
 }
 
-// With its correction a log is what it says.
+// With its correction a log has no finding.
 void expectCorrected(const Perturbation& p, const std::string& name) {
   for (const VirtualRig& rig : allRigs(2)) {
     const log::Log log = runRig(rig, p).log;
@@ -74,10 +74,10 @@ TEST(BenchCheck, CorrectsWhatItNames) {
   expectCorrected(swapped, finding::kSwappedColumns);
 }
 
-// A displacement that is recorded late gives loops that give energy, as exchanged columns do; the stiffness tells.
+// A delayed displacement gives loops that generate energy, as swapped columns do, but the stiffness tells them apart.
 TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
   Perturbation late;
-  late.delay = -3.0;  // of the force
+  late.delay = -3.0;  // of the force relative to the displacement
   for (const VirtualRig& rig : allRigs(2)) {
     for (const RigFinding& finding : check(rig, late, elementsOf(rig))) {
       EXPECT_NE(finding.finding, finding::kSwappedColumns) << finding.text;
@@ -86,7 +86,7 @@ TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
   }
 }
 
-// A spring without loss gives energy however little its force is late: that is the effect, up to what it reaches.
+// A spring without loss generates energy at any delay of its force; short delays are those of the effect.
 TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
   const Elements lossless = {spring(2.3e5)};
   const auto late = [](double delay) {
@@ -102,14 +102,14 @@ TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
   const std::vector<RigFinding> findings = checkBench(lossless, {late(0.06), late(0.06)});
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].finding, finding::kDelay);
-  EXPECT_NEAR(findings[0].value, 0.06, 0.025 / 3.2);  // a step of the search, a fortieth of a cycle
+  EXPECT_NEAR(findings[0].value, 0.06, 0.025 / 3.2);  // the search has steps of a fortieth of a cycle
 }
 
-// A sign is reversed, and columns are exchanged, in all logs of a bench: loops that give energy in one of three are
-// those of an effect.
+// A reversed sign or swapped columns affect all logs of a bench; if only one log of three generates energy, an effect
+// is the cause.
 TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
   Perturbation late;
-  late.delay = 20.0;  // samples of the force: more than the effect reaches
+  late.delay = 20.0;  // samples by which the force is late, more than the effect permits
   const auto record = [](const VirtualRig& rig, const Perturbation& p) {
     const log::Log log = runRig(rig, p).log;
     return log::makeRecord(repaired(log, findFaults(log)));
@@ -127,7 +127,7 @@ TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
   EXPECT_GT(by_phase, 0);
 }
 
-// A sine on a law of stiffness and phase.
+// A sine, and the force of a law with this stiffness and phase.
 log::Record sine(double frequency, double stiffness, double phase = 0.0, log::UnitsAre units = log::UnitsAre::named) {
   const auto turn = [&](int i) { return 2.0 * element::kPi * frequency * 0.002 * i; };
   log::Log log = logOf(
@@ -146,8 +146,8 @@ std::vector<std::string> namesOf(const std::vector<RigFinding>& findings) {
   return names;
 }
 
-// A mass takes stiffness from the fastest log; a unit that nobody named, in a slow log or in most of them, is told, and
-// so is a factor of hundreds wherever it is.
+// A mass reduces the stiffness of the fastest log. A factor of an assumed unit in a slow log, and a factor of a
+// thousand in any log, is reported.
 TEST(BenchCheck, LeavesWhatAMassMakesOfTheFastestLogToTheEffects) {
   const auto record = [](double frequency, double factor, log::UnitsAre units) {
     return sine(frequency, factor * 1e6, 0.0, units);
@@ -169,8 +169,8 @@ TEST(BenchCheck, LeavesWhatAMassMakesOfTheFastestLogToTheEffects) {
   }
 }
 
-// The force of a mass, a damper and a spring, beyond and below the resonance at 4 Hz: only the slow log has the sign of
-// the spring, and every loop takes energy.
+// The force of a mass, a damper and a spring with a resonance at 4 Hz: only logs below it have the sign of the spring,
+// and every loop dissipates energy.
 log::Record massOnSpring(double frequency, double sign = 1.0) {
   const double omega = 2.0 * element::kPi * frequency;
   const double resonance = 2.0 * element::kPi * 4.0;
@@ -187,7 +187,7 @@ TEST(BenchCheck, TakesNoMassForAReversedSign) {
               ElementsAre(finding::kSign, finding::kSign));
 }
 
-// Without loss the work tells nothing: the slowest log decides, which no mass turns first.
+// Without loss the work decides nothing, but the slowest log does, because a mass affects it last.
 TEST(BenchCheck, NamesTheReversedSignOfASpringWithoutLoss) {
   EXPECT_THAT(namesOf(checkBench(kSpring, {sine(1.0, -1e6), sine(4.0, -1e6)})),
               ElementsAre(finding::kSign, finding::kSign));
@@ -195,7 +195,7 @@ TEST(BenchCheck, NamesTheReversedSignOfASpringWithoutLoss) {
   EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 1e6), sine(4.0, -0.5e6), sine(5.0, -1e6)}).empty());
 }
 
-// The fastest of three logs has slow motion as well, which no mass turns.
+// The fastest of three logs also contains slow motion, in which a mass cannot reverse the force.
 TEST(BenchCheck, NamesTheReversedSignOfAFastLogWithSlowMotion) {
   log::Record wide = sine(8.0, -1e6);
   const Eigen::ArrayXd cycles = Eigen::ArrayXd::LinSpaced(wide.size(), 0.0, wide.duration());
@@ -207,7 +207,7 @@ TEST(BenchCheck, NamesTheReversedSignOfAFastLogWithSlowMotion) {
   EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 1e6), sine(2.0, 1e6), sine(8.0, -1e6)}).empty()) << "as by a mass";
 }
 
-// The stiffness of the file may be a guess, and the unit a wrong one besides.
+// The stiffness of the file may be a guess, and the unit may be wrong as well.
 TEST(BenchCheck, NamesTheReversedSignAtAnySizeOfTheSlope) {
   for (const double factor : {0.1, 0.5, 2.0, 10.0, 1000.0}) {
     const auto findings = checkBench(kSpring, {sine(1.0, -factor * 1e6)});
@@ -216,8 +216,8 @@ TEST(BenchCheck, NamesTheReversedSignAtAnySizeOfTheSlope) {
   }
 }
 
-// A guess of the component file's stiffness is off by any factor: where the units are named, none of them is blamed but
-// by its own factor, in all logs.
+// A guessed stiffness may be wrong by any factor. Named units are therefore doubted only if all logs have the factor of
+// a unit.
 TEST(BenchCheck, DoubtsNamedUnitsByTheirOwnFactorInAllLogsAlone) {
   const auto logs = [](double factor, log::UnitsAre units) {
     return std::vector<log::Record>{sine(1.0, factor * 1e6, 0.1, units), sine(3.0, 1.1 * factor * 1e6, 0.1, units)};
@@ -235,7 +235,7 @@ TEST(BenchCheck, DoubtsNamedUnitsByTheirOwnFactorInAllLogsAlone) {
   for (const double factor : {1000.0, 15.0, 2.0}) {
     EXPECT_TRUE(checkBench(kSpring, logs(factor, log::UnitsAre::accepted)).empty());
   }
-  // What the data sheet may be off by is no fault of a bench; of a guess that is a power of ten.
+  // Deviations within the tolerance of the data sheet, a power of ten for a guess, are not faults of the bench.
   const double guess = estimation::SheetTolerance::kGuess;
   for (const double factor : {15.0, 4.448, 2.0, 0.5}) {
     EXPECT_TRUE(checkBench(kSpring, logs(factor, log::UnitsAre::named), guess).empty()) << factor;
@@ -257,7 +257,7 @@ TEST(BenchCheck, NamesWhatWasTakenFromPeakToPeak) {
   EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 2e6), sine(3.0, 1.5e6)}).empty()) << "2.0 in one log alone";
 }
 
-// Of a law that is not quite the component's.
+// The law differs slightly from that of the component.
 TEST(BenchCheck, NamesARectifiedChannel) {
   for (const bool force : {true, false}) {
     log::Record record = sine(2.0, 1.3e6, 0.15);
@@ -276,7 +276,7 @@ TEST(BenchCheck, LeavesASpringThatLiftsOffToTheEffects) {
   EXPECT_TRUE(checkBench(kSpring, {record}).empty());
 }
 
-// Whether the logs are on both sides of the contact or on the one where the file has it open throughout.
+// The logs are on both sides of the contact, or only on that where the file's contact is open.
 TEST(BenchCheck, NamesAContactOfTheOtherSide) {
   for (const double side : {1.0, -1.0}) {
     for (const double mean : {0.0, 1.2e-3}) {
@@ -295,7 +295,7 @@ TEST(BenchCheck, NamesAContactOfTheOtherSide) {
   }
 }
 
-// A compliance of one side that is next to no support is a contact that opens: it is named as one.
+// A compliance of one side that hardly supports is a contact that opens, and is reported as one.
 TEST(BenchCheck, NamesAComplianceOfTheOtherSideAsAContact) {
   for (const double side : {1.0, -1.0}) {
     log::Record record = sine(2.0, 1e6);
@@ -310,7 +310,7 @@ TEST(BenchCheck, NamesAComplianceOfTheOtherSideAsAContact) {
   }
 }
 
-// Held slack, and moved while slack: the force is dead where the displacement is beyond all that carry any.
+// The displacement is held or moves beyond all values that carry a force, so the force may be zero there.
 TEST(BenchCheck, TakesNoLongSlackForADeadChannel) {
   for (const double side : {1.0, -1.0}) {
     for (const double swing : {0.0, 1.0}) {
@@ -321,7 +321,7 @@ TEST(BenchCheck, TakesNoLongSlackForADeadChannel) {
       record.displacement = record.raw_displacement;
       record.force = 1e6 * side * (side * record.displacement).cwiseMax(0.0);
       EXPECT_TRUE(checkBench(kSpring, {record}).empty()) << side << swing;
-      // Within the motion that carries, no contact is slack.
+      // Where other samples at the same displacement carry a force, the contact cannot be open.
       record.displacement.tail(slack) = record.raw_displacement.tail(slack) = record.raw_displacement.head(slack);
       EXPECT_THAT(namesOf(checkBench(kSpring, {record})), ElementsAre(finding::kConstant)) << side << swing;
     }
@@ -349,14 +349,14 @@ TEST(BenchCheck, NamesAChannelThatMeasuredNothing) {
   EXPECT_THAT(namesOf(checkBench(kSpring, {noise})), ElementsAre(finding::kConstant));
 }
 
-// A seal under a spring that it does not have: weak, but it turns with the direction.
+// The force is weak for the spring of the file, as that of a seal, but changes sign with the velocity.
 TEST(BenchCheck, TakesNoWeakFrictionForADeadChannel) {
   log::Record seal = sine(2.0, 1e6, 0.5 * element::kPi);
   seal.force = 8.0 * seal.force.cwiseSign();
   EXPECT_TRUE(checkBench(kSpring, {seal}).empty());
 }
 
-// Ramps and holds with a hum of the mains, which is as large as what the ramps do.
+// A hold with a hum of the mains that is nearly as large as the force of the motion.
 TEST(BenchCheck, TakesNoHoldWithAHumForADeadChannel) {
   log::Record record = sine(2.0, 1e6, 0.1);
   const Eigen::Index held = record.raw_displacement.size() / 2;
@@ -370,7 +370,7 @@ TEST(BenchCheck, TakesNoHoldWithAHumForADeadChannel) {
   EXPECT_TRUE(checkBench(kSpring, {record}).empty());
 }
 
-// A hold, in which rubber relaxes, and a part of small amplitude within a free play.
+// A hold in which rubber relaxes, and a motion of small amplitude within a free play.
 TEST(BenchCheck, TakesNoHoldForADeadChannel) {
   log::Record record = sine(2.0, 1e6, 0.1);
   const Eigen::Index half = record.size() / 2;
@@ -406,7 +406,7 @@ TEST(BenchCheck, NamesAnotherComponent) {
   }
 }
 
-// What effects and a wrong specification do to stiffness is not for this check.
+// Differences in stiffness due to effects or a wrong specification are not reported.
 TEST(BenchCheck, LeavesEffectsToTheDiagnosis) {
   for (const VirtualRig& rig : allRigs(1)) {
     for (const double factor : {0.6, 1.8}) {
@@ -417,7 +417,7 @@ TEST(BenchCheck, LeavesEffectsToTheDiagnosis) {
   }
 }
 
-// A damper: friction a hundred times as strong as its spring.
+// The component is a damper whose friction is far stronger than its spring.
 TEST(BenchCheck, LeavesDampersWithWeakSpringAlone) {
   VirtualRig rig;
   rig.law = Law::friction;

@@ -1,4 +1,4 @@
-// One virtual log through the whole layer, and rates over many.
+// Runs virtual logs through the whole layer, and counts findings over many of them.
 #pragma once
 
 #include <cmath>
@@ -47,7 +47,7 @@ inline bool covers(const RigFinding& finding, double value) {
   return finding.interval_95[0] <= value && value <= finding.interval_95[1];
 }
 
-/// All laws and motions, some seeds each.
+/// Returns rigs with all laws and motions, for some seeds each.
 inline std::vector<VirtualRig> allRigs(unsigned seeds) {
   std::vector<VirtualRig> rigs;
   for (const Law law : {Law::maxwell, Law::friction, Law::progressive}) {
@@ -64,7 +64,7 @@ inline std::vector<VirtualRig> allRigs(unsigned seeds) {
   return rigs;
 }
 
-/// How often a finding is there, with the truth in its interval, and how many others are.
+/// Counts of rigs with the finding, of intervals that contain the true value, and of other findings.
 struct Rate {
   int rigs = 0;
   int found = 0;

@@ -1,4 +1,4 @@
-// Spikes, held values and saturation are found and left out; square corners, stops and standstills are not taken for
+// Spikes, held values and saturation are found and excluded; sharp corners, stops and standstills are not mistaken for
 // them.
 #include "rubber_suspension/measurement/faults.h"
 
@@ -23,14 +23,14 @@ TEST(Faults, FindsSpikes) {
         found += usable[spike] ? 0 : 1;
         ++all;
       }
-      EXPECT_LT(usable.size() - usable.count(), 15);  // six spikes of one or two samples, and no more than that
+      EXPECT_LT(usable.size() - usable.count(), 15);  // six spikes of one or two samples, and few others
     }
     std::cout << "spikes of " << size << ": " << found << " of " << all << "\n";
     EXPECT_GE(found, 0.95 * all);
   }
 }
 
-// Spikes of one or two samples that are small beside the force and large beside its noise.
+// Spikes of one or two samples that are small relative to the force and large relative to its noise.
 TEST(Faults, FindsSpikesAboveTheNoise) {
   int found = 0;
   int all = 0;
@@ -52,8 +52,8 @@ TEST(Faults, FindsSpikesAboveTheNoise) {
   EXPECT_GE(found, 0.9 * all);
 }
 
-// Where the speed jumps, the force of a mass has a peak of one sample, although the noise of the displacement hides the
-// jump from sample to sample.
+// If the velocity jumps, the force of a mass has a peak of one sample, whereas noise may hide the jump in the
+// displacement.
 TEST(Faults, LeavesPeaksOfAMassAlone) {
   const Eigen::Index count = 4000;
   std::mt19937 generator(1);
@@ -101,14 +101,14 @@ TEST(Faults, FindsHeldValues) {
     int all = 0;
     for (const VirtualRig& rig : allRigs(3)) {
       if (rig.motion == Motion::holds) {
-        continue;  // most holds of the sensor then lie where nothing moves
+        continue;  // most held values would lie where nothing moves
       }
       const Faults faults = findFaults(runRig(rig, p).log);
       found += static_cast<int>(faults.force.size() - faults.force.count());
       all += 3 * (samples - 1);
     }
     std::cout << "held for " << samples << " samples: " << found << " of " << all << "\n";
-    EXPECT_GE(found, (samples > 10 ? 0.9 : 0.75) * all);  // short ones happen where the motion turns
+    EXPECT_GE(found, (samples > 10 ? 0.9 : 0.75) * all);  // short holds may lie where the motion turns
     EXPECT_LE(found, all);
   }
 }
@@ -153,7 +153,7 @@ TEST(Faults, LeavesCornersAndStopsAlone) {
   EXPECT_TRUE(findFaults("stop", z, f).findings.empty());
 }
 
-// A free play gives the force a corner at the same place each cycle; a spike there is far sharper.
+// A free play causes a corner of the force at the same displacement in each cycle; a spike there is far sharper.
 TEST(Faults, FindsASpikeWhereTheForceHasCorners) {
   const Eigen::Index count = 4000;
   Eigen::VectorXd z(count);
@@ -173,7 +173,7 @@ TEST(Faults, FindsASpikeWhereTheForceHasCorners) {
   EXPECT_LE(count - faults.usable().count(), 2);
 }
 
-// At the end of a ramp both channels have a corner; a spike is far sharper than that explains.
+// At the end of a ramp both channels have a corner; a spike is far sharper than the corner explains.
 TEST(Faults, FindsASpikeWhereTheMotionTurns) {
   const Eigen::Index count = 4000;
   Eigen::VectorXd z(count);
@@ -188,7 +188,7 @@ TEST(Faults, FindsASpikeWhereTheMotionTurns) {
   EXPECT_LE(count - faults.usable().count(), 2);
 }
 
-// Two spikes that happen to be next to each other, one in each channel, are no blow: that shows in both at once.
+// Two adjacent spikes, one in each channel, are not a blow, which affects both channels in the same sample.
 TEST(Faults, FindsSpikesOfBothChannelsNextToEachOther) {
   const Eigen::Index count = 4000;
   const Eigen::VectorXd z = Eigen::VectorXd::LinSpaced(count, 0.0, 80.0 * element::kPi).array().sin();
@@ -209,7 +209,7 @@ TEST(Faults, FindsSpikesOfBothChannelsNextToEachOther) {
   EXPECT_TRUE(findFaults("blow", displacement, force).findings.empty());
 }
 
-// The force of friction alone stays at its limit while the displacement goes on.
+// The force of friction alone is constant at its limit while the displacement changes.
 TEST(Faults, LeavesFrictionAlone) {
   const Eigen::Index count = 4000;
   Eigen::VectorXd z(count);
@@ -238,7 +238,7 @@ TEST(Faults, BridgesWhatIsLeftOut) {
   faults.force[4] = false;
   const log::Log result = repaired(log, faults);
   EXPECT_DOUBLE_EQ(result.displacement[2], 2.0);
-  EXPECT_DOUBLE_EQ(result.force[4], 6.0);  // the last value that was measured
+  EXPECT_DOUBLE_EQ(result.force[4], 6.0);  // the last valid value
 }
 
 TEST(Faults, OfALogThatIsRefusedTheOneThatExcludesMostIsNamed) {
@@ -247,16 +247,16 @@ TEST(Faults, OfALogThatIsRefusedTheOneThatExcludesMostIsNamed) {
     const double z = std::sin(0.0157 * i);
     log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
     log.displacement.push_back(1e-3 * z);
-    log.force.push_back(std::clamp(1e3 * z, -450.0, 450.0) + (i % 800 == 7 ? 200.0 : 0.0));  // of ten cycles one
+    log.force.push_back(std::clamp(1e3 * z, -450.0, 450.0) + (i % 800 == 7 ? 200.0 : 0.0));  // in every second cycle
   }
   const std::string text = messageOf<log::LogError>([&] { prepareLog(log); });
   EXPECT_THAT(text, testing::HasSubstr("samples are usable"));
   EXPECT_THAT(text, testing::HasSubstr("(clipped)"));
 }
 
-// A force that is behind or ahead of the displacement is at its stop while the displacement passes by, as friction is
-// at its limit, but friction leaves it where the displacement turns. More than half of the samples stand at the two
-// ends, and 16 spikes are no reason to refuse the log.
+// A force with a phase shift saturates while the displacement still changes, as does friction, which leaves its limit
+// only where the displacement turns. More than half of the samples are saturated; 16 spikes do not suffice to refuse
+// the log.
 TEST(Faults, FindsSaturationOfAForceThatIsNotInPhase) {
   for (const double phase : {-1.5, -0.5, 0.0, 0.5, 1.5}) {
     log::Log log;

@@ -1,4 +1,4 @@
-// Measured logs of other laboratories go through, and none of them is taken for a bench's mistake.
+// Measured logs of other laboratories are read without a finding of an error of the bench.
 #include <iostream>
 
 #include "log/even_blocks.h"
@@ -12,7 +12,7 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-// What a data sheet would say of each, from what is visible without any model.
+// A measured log with elements that stand for its data sheet, estimated from the log without a model.
 struct Measured {
   const char* folder;
   const char* file;

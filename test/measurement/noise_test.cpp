@@ -1,4 +1,4 @@
-// Noise models: colour is told, whitening whitens, and the floor is that of the noise.
+// Noise models: coloured noise is detected, whitening yields white noise, and the noise floor equals the noise.
 #include "measurement/examine.h"
 #include "measurement/functions_of_motion.h"
 #include "rubber_suspension/element/constants.h"
@@ -29,10 +29,10 @@ TEST(NoiseModel, TellsColour) {
             << false_findings << "\n";
   EXPECT_LE(false_findings, 1);
   EXPECT_EQ(found, kDraws);
-  EXPECT_GE(covered, 34);  // of 95 % intervals, but in 1 of 100 runs
+  EXPECT_GE(covered, 34);  // binomial: fewer of 40 intervals of 95 % hold in only 1 of 100 runs
 }
 
-// Innovations of standard deviation 1 and without correlation, holes or not.
+// Innovations have standard deviation 1 and no correlation, with or without missing samples.
 TEST(Whitener, Whitens) {
   for (const int kind : {0, 1, 2}) {
     Perturbation p;
@@ -45,13 +45,13 @@ TEST(Whitener, Whitens) {
     const Whitener whitener(estimateNoise(noise, mask), mask);
     const Eigen::VectorXd white = whitener(noise).col(0);
     EXPECT_EQ(white[3010], 0.0);
-    // Standard deviations of these estimates from 10000 samples are 0.007 and 0.01; the filter's 30 dB cost the rest.
+    // The estimates have deviations of 0.007 and 0.01; the limits are wider because of the filter with its 30 dB.
     EXPECT_NEAR(std::sqrt(white.squaredNorm() / static_cast<double>(mask.count())), 1.0, 0.05) << kind;
     EXPECT_NEAR(white.head(kCount - 1).dot(white.tail(kCount - 1)) / white.squaredNorm(), 0.0, 0.06) << kind;
   }
 }
 
-// By the whitening alone: that of unit vectors is a triangular matrix, whose determinant is the density's.
+// Computed by whitening alone: whitened unit vectors form a triangular matrix, whose determinant enters the density.
 double logLikelihood(const NoiseModel& model, const Mask& mask, const Eigen::VectorXd& noise) {
   const Whitener whiten(model, mask);
   const Eigen::MatrixXd matrix = whiten(Eigen::MatrixXd::Identity(noise.size(), noise.size()));
@@ -59,7 +59,7 @@ double logLikelihood(const NoiseModel& model, const Mask& mask, const Eigen::Vec
          0.5 * std::log(2.0 * element::kPi) * static_cast<double>(noise.size());
 }
 
-// The true model is likelier than white noise of the same size.
+// The estimated model has a higher likelihood than white noise of the same size.
 TEST(Whitener, PrefersTheColourThatIsThere) {
   constexpr Eigen::Index kFew = 1000;
   Perturbation p;
@@ -70,12 +70,12 @@ TEST(Whitener, PrefersTheColourThatIsThere) {
   white.white = 1.0;
   white.samples = kFew;
   EXPECT_GT(logLikelihood(estimateNoise(noise, mask), mask, noise), logLikelihood(white, mask, noise) + 10.0);
-  // In closed form for white noise.
+  // White noise has a closed form.
   EXPECT_NEAR(logLikelihood(white, mask, noise),
               -0.5 * noise.squaredNorm() - 0.5 * std::log(2.0 * element::kPi) * static_cast<double>(kFew), 1e-6 * kFew);
 }
 
-// Within a factor of 1.3 in 90 % of the rigs, whatever the noise.
+// The floor is within a factor of 1.3 in 90 % of the rigs, for each kind of noise.
 TEST(NoiseFloor, IsThatOfTheNoise) {
   Perturbation pink;
   pink.pink = true;
@@ -100,7 +100,7 @@ TEST(NoiseFloor, IsThatOfTheNoise) {
   }
 }
 
-// What a model lacks is no noise, because it follows the motion: a third of its Maxwell element is ten times the white
+// A residual that follows the motion is a model error, not noise: a third of the Maxwell element is ten times the white
 // noise. 1/f noise is found in most rigs.
 TEST(EvidenceOfNoise, IsThatOfAPowerThatDoesNotFollowTheMotion) {
   const std::vector<VirtualRig> rigs = allRigs(2);
@@ -124,7 +124,7 @@ TEST(EvidenceOfNoise, IsThatOfAPowerThatDoesNotFollowTheMotion) {
   EXPECT_GE(of_noise, 20);
 }
 
-// A stop, a cubic spring and a damper that no model has are taken out; noise stays but for what so many functions take.
+// A stop and a cubic spring that the model lacks are removed; noise remains, up to the share that the functions absorb.
 TEST(FunctionsOfMotion, AreNoNoise) {
   for (const Motion motion : {Motion::sines, Motion::sweep, Motion::track}) {
     VirtualRig rig;
@@ -136,10 +136,10 @@ TEST(FunctionsOfMotion, AreNoNoise) {
     const Eigen::VectorXd missing = 20.0 * (z.cube() + 3.0 * (z - 0.6).max(0.0)).matrix();
     const Eigen::VectorXd rest = withoutFunctionsOfMotion(record, noise + missing, mask);
     const double left = std::sqrt(rest.squaredNorm() / static_cast<double>(rest.size()));
-    // Hats h = 2/11 apart miss the knee by up to 60 h/8 = 1.4 in one of eleven intervals, the cubic by 120 h^2/12 = 0.3
-    // at its ends: 3 % more than the noise in all.
+    // Linear interpolation over h = 2/11 misses the knee by up to 60 h/8 = 1.4 in one of eleven intervals, and the
+    // cubic by 120 h^2/12 = 0.3 at its ends: 3 % more than the noise in total.
     EXPECT_LT(left, 1.05);
-    // 39 functions of 10 000 samples.
+    // 39 functions are fitted to 10 000 samples.
     EXPECT_GT(std::sqrt(withoutFunctionsOfMotion(record, noise, mask).squaredNorm() / static_cast<double>(rest.size())),
               0.97);
   }
@@ -161,7 +161,7 @@ TEST(NoiseFloor, IsNeverZeroNorAboveTheModel) {
   EXPECT_GT(noiseFloor(record, Eigen::VectorXd::Zero(record.size()), mask), 0.0);
   const Eigen::VectorXd residual = 5.0 * unitNoise(record.size(), {}, 1);
   const double left = std::sqrt(residual.squaredNorm() / static_cast<double>(record.size()));
-  EXPECT_LE(noiseFloor(record, residual, mask), left * (1.0 + 1e-12));  // sums in another order
+  EXPECT_LE(noiseFloor(record, residual, mask), left * (1.0 + 1e-12));  // the sums differ in their order
 }
 
 }  // namespace

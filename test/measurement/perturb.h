@@ -1,4 +1,4 @@
-// Virtual rigs whose logs are known to the last newton, and what benches do to logs: zeros, starts, spikes, noise.
+// Virtual rigs with known forces, and the errors that benches add to logs: offsets, starts in motion, spikes, noise.
 #pragma once
 
 #include <unsupported/Eigen/FFT>
@@ -14,45 +14,45 @@ using Elements = std::vector<element::ElementDescription>;
 enum class Law { maxwell, friction, progressive };
 enum class Motion { sines, sweep, track, holds };
 
-/// A bench with a component; all its lengths, forces and times may be scaled together.
+/// A bench with a component; its lengths, forces and times can be scaled.
 struct VirtualRig {
   Law law = Law::maxwell;
   Motion motion = Motion::track;
   unsigned seed = 1;
-  double noise = 0.003;     // of the force, share of its standard deviation
+  double noise = 0.003;     // of the force, relative to its standard deviation
   double sampling = 500.0;  // [Hz]
   double duration = 20.0;   // [s]
-  double length = 1.0;      // scales
+  double length = 1.0;      // scale factors
   double force = 1.0;
   double time = 1.0;
 };
 
-/// What the bench does to the log; shares are of the channel's range.
+/// Errors of the bench; shares refer to the range of the channel.
 struct Perturbation {
   double force_zero = 0.0;
   double displacement_zero = 0.0;
   bool running_start = false;
-  double spikes = 0.0;      // size; three in each channel
-  int held = 0;             // samples, in three places of the force
-  double clipped = 0.0;     // share of the range that the force's sensor lacks at its top
+  double spikes = 0.0;      // size of three spikes in each channel
+  int held = 0;             // samples; three holds of the force
+  double clipped = 0.0;     // share of the range that is cut off at the top of the force
   bool pink = false;        // the noise is 1/f
-  double anti_alias = 0.0;  // corner of a fourth-order filter of the noise, in cycles per sample
+  double anti_alias = 0.0;  // corner frequency of a fourth-order low-pass of the noise, in cycles per sample
   double gain = 0.0;
   double delay = 0.0;  // samples
-  double clock = 0.0;  // share of the time
+  double clock = 0.0;  // relative error
   bool sign = false;
   double factor = 1.0;
   bool swapped = false;
 };
 
-/// A log and what was done to it.
+/// A log and the errors that were added to it.
 struct VirtualLog {
   log::Log log;
   double force_zero = 0.0;         // [N]
   double displacement_zero = 0.0;  // [m]
-  double transient = 0.0;          // force left from before the log, at its start [N]
+  double transient = 0.0;          // force at the start that is due to the motion before the log [N]
   double delay = 0.0;              // in the middle of the log [s]
-  double noise = 0.0;              // standard deviation of the noise added, about its mean [N]
+  double noise = 0.0;              // standard deviation of the added noise [N]
   std::vector<Eigen::Index> spikes;
 };
 
@@ -68,7 +68,7 @@ inline Elements elementsOf(const VirtualRig& rig) {
   return elements;
 }
 
-/// Displacement over time, at rest before 0: in units of seconds and of 2 mm.
+/// Displacement [2 mm] over time [s], at rest before 0.
 class Programme {
  public:
   Programme(Motion motion, unsigned seed, double duration) : motion_(motion), duration_(duration) {
@@ -110,7 +110,7 @@ class Programme {
     }
   }
 
-  // Four blocks of one frequency and amplitude each, joined smoothly.
+  // Four blocks, each with one frequency and amplitude, joined smoothly.
   double sines(double time) const {
     const double block = duration_ / 4.0;
     const auto i = static_cast<std::size_t>(std::min(3.0, std::floor(time / block)));
@@ -121,7 +121,7 @@ class Programme {
     return amplitude[i] * envelope * std::sin(2.0 * element::kPi * std::min(frequency_[10 * i + 5], 6.0) * local);
   }
 
-  // Ramps to levels, each held.
+  // Ramps to levels that are then held.
   double holds(double time) const {
     const double step = duration_ / 8.0;
     const auto i = static_cast<std::size_t>(std::min(7.0, std::floor(time / step)));
@@ -152,7 +152,7 @@ inline std::vector<Eigen::VectorXd> simulateAll(const Elements& elements, const 
   return forces;
 }
 
-/// White, 1/f or low-pass filtered noise of standard deviation 1.
+/// Returns white, 1/f or low-pass filtered noise of standard deviation 1.
 inline Eigen::VectorXd unitNoise(Eigen::Index count, const Perturbation& p, unsigned seed) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal;
@@ -197,7 +197,7 @@ inline Eigen::VectorXd unitNoise(Eigen::Index count, const Perturbation& p, unsi
   return noise;
 }
 
-/// Between two samples, by the cubic through four.
+/// Interpolates by the cubic through four samples.
 inline double between(const Eigen::VectorXd& values, double at) {
   const Eigen::Index left = std::clamp(static_cast<Eigen::Index>(std::floor(at)), Eigen::Index{1}, values.size() - 3);
   const double s = at - static_cast<double>(left);
@@ -216,14 +216,14 @@ inline void addSpikes(Eigen::VectorXd& values, double size, std::mt19937& genera
   }
 }
 
-/// Run the rig and write its log as the bench does.
+/// Simulates the rig and returns its log with the errors of the bench.
 inline VirtualLog runRig(const VirtualRig& rig, const Perturbation& p = {}, const std::string& name = "log") {
-  constexpr double kBefore = 4.3;  // [s] of motion before a log that starts while the machine runs
+  constexpr double kBefore = 4.3;  // [s] of motion before a log that starts in motion
   const double lead = p.running_start ? kBefore : 0.0;
   const auto count = static_cast<Eigen::Index>(rig.duration * rig.sampling);
   const auto before = static_cast<Eigen::Index>(lead * rig.sampling);
   const double dt = 1.0 / rig.sampling;
-  // Where the log starts in motion it ends in it, too.
+  // A log that starts in motion also ends in motion.
   const Programme programme(rig.motion, rig.seed, rig.duration + 2.0 * lead);
   const Eigen::Index fine = before + count + 8;
   Eigen::VectorXd z(fine);

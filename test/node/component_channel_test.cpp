@@ -1,4 +1,4 @@
-// One component of the node: counting, saving, loading, exchanging the model; from several threads at once.
+// One component of the node: counting, saving, loading and replacing the model, also from several threads.
 #include "node/component_channel.h"
 
 #include "support/test.h"
@@ -135,8 +135,8 @@ TEST(ComponentChannel, AnotherModelStartsAsANewSpecimen) {
   EXPECT_EQ(force(channel, 100), force(fresh, 100));
 }
 
-// One thread serves, the others do all that services and diagnostics do. Run with the thread sanitizer this shows
-// races; without it, that every accepted sample was counted.
+// One thread serves samples, while others call the services and read diagnostics. The thread sanitizer reveals races;
+// without it the test checks that every accepted sample is counted.
 TEST(ComponentChannel, ServesWhileOthersLookAndChange) {
   node::ComponentChannel channel(describe(), 0.5);
   std::atomic<bool> done{false};

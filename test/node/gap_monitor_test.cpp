@@ -1,4 +1,4 @@
-// Matching of measured to simulated forces: late, early, twice, never, over restarts, from two threads.
+// Matching of measured to simulated forces: late, early, repeated, missing, over restarts, from two threads.
 #include "node/gap_monitor.h"
 
 #include "support/allocation_counter.h"
@@ -8,9 +8,9 @@ namespace rubber_suspension {
 namespace {
 
 constexpr std::int64_t kMillisecond = 1000000;
-constexpr double kLong = 1e6;  // a window longer than any test [s]
+constexpr double kLong = 1e6;  // [s], longer than any test
 
-// A monitor that already knows that forces are measured.
+// Lets the monitor store samples, which it does only once a force was measured.
 void wake(node::GapMonitor& monitor) { monitor.addMeasured(-1, std::numeric_limits<double>::quiet_NaN()); }
 
 TEST(GapMonitor, KeepsNothingUntilForcesAreMeasured) {
@@ -47,8 +47,8 @@ TEST(GapMonitor, CountsWhatFindsNoSample) {
   monitor.addMeasured(3 * kMillisecond, 1.0);  // between two samples
   monitor.addMeasured(1 * kMillisecond, 1.0);  // before the first
   monitor.addMeasured(2 * kMillisecond, 1.0);
-  monitor.addMeasured(2 * kMillisecond, 2.0);  // a second time
-  monitor.addMeasured(5 * kMillisecond, 1.0);  // waits, and is overtaken
+  monitor.addMeasured(2 * kMillisecond, 2.0);  // repeated
+  monitor.addMeasured(5 * kMillisecond, 1.0);  // waits for its sample, which does not come
   monitor.addSimulated(6 * kMillisecond, 0.0, 0.0);
   EXPECT_EQ(monitor.counters().matched, 1U);
   EXPECT_EQ(monitor.counters().unmatched, 4U);
@@ -122,7 +122,7 @@ TEST(GapMonitor, TakesMemoryAsSamplesCome) {
   }
 }
 
-// Their squares would be none.
+// Such numbers are beyond the largest that a component accepts, and their squares might overflow.
 TEST(GapMonitor, NumbersBeyondAnyComponentAreNoForces) {
   node::GapMonitor monitor;
   wake(monitor);
@@ -164,7 +164,7 @@ TEST(GapMonitor, TakesSamplesForcesAndLooksFromThreeThreads) {
   }
   simulated.join();
   measured.join();
-  // Every force was matched, or waited where there was no more room, or came when its sample was forgotten.
+  // A force counts as unmatched if too many were waiting or its sample was discarded; some may still wait.
   const node::MatchCounters counters = monitor.counters();
   EXPECT_LE(counters.matched + counters.unmatched, static_cast<std::uint64_t>(kSamples));
   EXPECT_GT(counters.matched, 0U);

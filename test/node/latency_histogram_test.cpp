@@ -1,4 +1,4 @@
-// The latency histogram: percentiles against sorted samples.
+// Percentiles of the latency histogram agree with those of sorted samples.
 #include "node/latency_histogram.h"
 
 #include "support/test.h"
@@ -26,7 +26,7 @@ TEST(LatencyHistogram, PercentilesAreExactToAnEighthOfAnOctave) {
   const node::LatencyHistogram histogram = counter.take();
   for (const double fraction : {0.01, 0.1, 0.5, 0.9, 0.99, 0.999}) {
     const double exact = samples[static_cast<std::size_t>(fraction * 1e5) - 1];
-    // The upper edge of a bucket that is an eighth of an octave wide; and it never flatters.
+    // The percentile is the upper edge of a bucket, an eighth of an octave wide, so it is never too low.
     EXPECT_GE(histogram.percentile(fraction), exact);
     EXPECT_LE(histogram.percentile(fraction), exact * std::exp2(0.125) * (1.0 + 1e-12));
   }

@@ -1,4 +1,4 @@
-// Messages that some subscriber lost, against queues that tell what they drop themselves.
+// The count of messages lost to any subscriber equals that of queues that report what they drop.
 #include "node/loss_count.h"
 
 #include <deque>
@@ -10,12 +10,12 @@ namespace {
 
 using Buffer = node::LossCount::Buffer;
 
-// A subscriber as roscpp serves it: a queue that drops its oldest, and one message that is being sent out of it.
+// A subscriber as roscpp serves it: a queue that drops its oldest message, and one message that is being sent.
 class Subscriber {
  public:
   explicit Subscriber(std::size_t queue_size) : queue_size_(queue_size) {}
 
-  // Whether one was dropped for it.
+  // Returns true if a message was dropped.
   bool enqueue(const Buffer& message) {
     const bool full = queue_.size() >= queue_size_;
     if (full) {
@@ -26,7 +26,7 @@ class Subscriber {
     return full;
   }
 
-  // What is being sent has been sent, and the next begins.
+  // Completes the message that is being sent, and begins the next.
   void send() {
     sending_.reset();
     startSending();
@@ -45,8 +45,8 @@ class Subscriber {
   std::optional<Buffer> sending_;
 };
 
-// Three subscribers that each read as many messages as their pace says, on average, for each that comes; returns how
-// many messages some of them lost.
+// Drives three subscribers, each of which reads on average `pace` messages for each one published; returns how many
+// messages at least one of them lost.
 std::size_t drive(std::size_t queue_size, const std::array<double, 3>& pace, int messages, unsigned seed) {
   std::vector<Subscriber> subscribers(3, Subscriber(queue_size));
   node::LossCount losses(queue_size);
@@ -73,7 +73,7 @@ std::size_t drive(std::size_t queue_size, const std::array<double, 3>& pace, int
 }
 
 TEST(LossCount, ExactAtAnyPaceAndLength) {
-  EXPECT_EQ(drive(20, {2.0, 0.0, 2.0}, 2000, 1), 2000U - 21U);  // all but a queue and the one that is being sent
+  EXPECT_EQ(drive(20, {2.0, 0.0, 2.0}, 2000, 1), 2000U - 21U);  // all but the queue and the message that is being sent
   std::size_t most = 0;
   for (const std::size_t queue_size : {2U, 3U, 7U, 50U}) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -102,7 +102,7 @@ TEST(LossCount, KeepsNothingThatNoQueueKeeps) {
   };
   add(100);
   EXPECT_LE(kept, 1U);
-  // One that is sent forever keeps no others alive beyond a queue.
+  // A message that is being sent forever does not keep others alive beyond a queue.
   const Buffer stuck = message();
   losses.begin(stuck);
   add(5001);

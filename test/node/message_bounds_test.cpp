@@ -1,4 +1,4 @@
-// Bounds of messages on the wire: what is one passes, what is short, long or claims too much does not.
+// Bounds of messages on the wire: valid ones pass; those that are short, long or have excessive sizes do not.
 #include "node/message_bounds.h"
 
 #include "support/test.h"

@@ -1,4 +1,4 @@
-// Another model in the place of the configured one: shadow, cross-fade without a jump, back, and what is refused.
+// A promoted model replaces the configured one: shadow, cross-fade without a jump, rollback, refusals.
 #include "node/promotion.h"
 
 #include "node/component_channel.h"
@@ -27,7 +27,7 @@ io::ComponentDescription withFriction() {
 
 double wave(int i) { return 2e-3 * std::sin(0.025 * i) + 1e-4 * std::cos(0.3 * i); }
 
-/// A model on the same samples, alone.
+/// A model alone, on the same samples.
 class Alone {
  public:
   explicit Alone(const io::ComponentDescription& description)
@@ -64,7 +64,7 @@ TEST(Promotion, TakesTheForceOverWithinItsBoundAndGivesItBack) {
     EXPECT_EQ(force(channel, i), ours.force(i));
   }
   channel.promote(withFriction());
-  double weight = 0.0;  // of the published force, as far as it can be told
+  double weight = 0.0;  // of the promoted model in the published force, where it can be computed
   for (int i = 100; i < 6000; ++i) {
     if (i == 4000) {
       EXPECT_EQ(channel.running().stage, RunStage::promoted);
@@ -74,7 +74,7 @@ TEST(Promotion, TakesTheForceOverWithinItsBoundAndGivesItBack) {
     const double a = ours.force(i);
     const double b = other.force(i);
     const double published = force(channel, i);
-    // What the weight alone changes is bounded as stated; rounding aside.
+    // The change in the published force due to the weight is bounded as documented, up to rounding.
     EXPECT_LE(std::abs(published - (a + weight * (b - a))),
               kStep / kSettings.fade * std::abs(b - a) * (1.0 + 1e-6) + 1e-9)
         << i;
@@ -93,7 +93,7 @@ TEST(Promotion, TakesTheForceOverWithinItsBoundAndGivesItBack) {
   EXPECT_TRUE(channel.running().other_sha256.empty());
 }
 
-// Two forces near the ends of a double, whose difference has no number.
+// The difference of two forces near the largest double overflows.
 TEST(Promotion, ACrossFadeDoesNotOverflow) {
   element::ComponentForce low;
   element::ComponentForce high;
@@ -122,7 +122,7 @@ TEST(Promotion, TellsWhatRuns) {
   EXPECT_THAT(running.note, HasSubstr("no force was measured"));
 }
 
-// The measured force is that of the configured model: the other one would make it worse.
+// The measured force is that of the configured model, so the promoted model would increase the gap.
 TEST(Promotion, AWorseModelStaysInTheShadow) {
   node::ComponentChannel channel(configured(), 0.5, kSettings);
   Alone measured(configured());
@@ -158,7 +158,7 @@ TEST(Promotion, RefusesWhatCannotBe) {
   EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("no model is promoted"));
   channel.promote(withFriction());
   EXPECT_THAT(refusalOf([&] { channel.promote(withFriction()); }), HasSubstr("after a rollback"));
-  channel.rollBack();  // out of the shadow: no sample is needed for that
+  channel.rollBack();  // out of the shadow, which takes effect without a sample
   EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("no model is promoted"));
   channel.promote(withFriction());
   EXPECT_EQ(channel.running().stage, RunStage::shadow);
@@ -179,7 +179,7 @@ TEST(Promotion, AForceThatIsNotFiniteEndsItAtOnce) {
   EXPECT_THAT(channel.running().note, HasSubstr("not finite"));
 }
 
-// In every stage: the state file keeps the model itself, so that no other file is needed to go on.
+// In every stage, the state file contains the promoted model, so that no other file is needed to continue.
 TEST(Promotion, ASavedStateGoesOnBitByBit) {
   for (const int saved_at : {500, 2200, 4000, 5100}) {
     node::ComponentChannel whole(configured(), 0.5, kSettings);
@@ -194,7 +194,7 @@ TEST(Promotion, ASavedStateGoesOnBitByBit) {
     after.load(node::parseStates(text, "state.json").front());
     EXPECT_EQ(after.running().stage, whole.running().stage);
     EXPECT_EQ(after.running().other_sha256, whole.running().other_sha256);
-    // A shadow starts anew, so only what is not in it goes on alike for longer than its rest.
+    // A loaded shadow starts anew, so this comparison ends where the original shadow ends.
     const int last = saved_at == 500 ? 2000 : saved_at + 2000;
     for (int i = saved_at; i < last; ++i) {
       ASSERT_EQ(force(after, i), force(whole, i)) << "saved at " << saved_at << ", sample " << i;

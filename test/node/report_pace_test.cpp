@@ -1,4 +1,4 @@
-// The pace of lines of log about what goes on being wrong.
+// The rate of log lines about faults that persist.
 #include "node/report_pace.h"
 
 #include "support/test.h"
@@ -15,7 +15,7 @@ TEST(ReportPace, FallsFromALineASecondToOneAMinute) {
     first_minute += second < 60 ? line : 0;
     day += line;
   }
-  EXPECT_EQ(first_minute, 6);  // after 0, 1, 3, 7, 15 and 31 s
+  EXPECT_EQ(first_minute, 6);  // at 0, 1, 3, 7, 15 and 31 s
   EXPECT_LE(day, 1440 + 6);
   EXPECT_GE(day, 1400);
 }

@@ -1,4 +1,4 @@
-// Lost samples by sequence numbers.
+// Lost samples are counted by sequence numbers.
 #include "node/sequence_watch.h"
 
 #include "support/test.h"
@@ -12,7 +12,7 @@ using Watch = node::SequenceWatch<Sender>;
 TEST(SequenceWatch, CountsWhatASenderSkips) {
   Watch watch;
   const auto sender = std::make_shared<int>();
-  EXPECT_EQ(watch.take(sender, 5), 0U);  // what came before the first is not known
+  EXPECT_EQ(watch.take(sender, 5), 0U);  // losses before the first sample are unknown
   EXPECT_EQ(watch.take(sender, 6), 0U);
   EXPECT_EQ(watch.take(sender, 10), 3U);
 }
@@ -31,7 +31,7 @@ TEST(SequenceWatch, ASenderThatStartsAnewLosesNothing) {
   const auto sender = std::make_shared<int>();
   watch.take(sender, 1000);
   EXPECT_EQ(watch.take(sender, 0), 0U);
-  EXPECT_EQ(watch.take(sender, 0), 0U);  // one that does not count at all
+  EXPECT_EQ(watch.take(sender, 0), 0U);  // a sender that does not count
   EXPECT_EQ(watch.take(sender, 1), 0U);
 }
 
@@ -42,7 +42,7 @@ TEST(SequenceWatch, CountsOverTheEndOfTheNumbers) {
   EXPECT_EQ(watch.take(sender, 1), 2U);
 }
 
-// Twenty that write by turns, each of which loses every second of its samples.
+// Twenty senders write in turn, and each loses every second sample.
 TEST(SequenceWatch, CountsForAsManySendersAsThereAre) {
   Watch watch;
   std::vector<Sender> senders(20);
@@ -58,7 +58,7 @@ TEST(SequenceWatch, CountsForAsManySendersAsThereAre) {
   EXPECT_EQ(lost, 20U * 9U);
 }
 
-// Senders that come and go: none of them may come to lie where one before was, and be taken for it.
+// Senders come and go: a new sender must not be mistaken for an old one, even at the same address.
 TEST(SequenceWatch, TakesNoNewSenderForOneThatWent) {
   Watch watch;
   std::uint32_t lost = 0;
@@ -69,10 +69,10 @@ TEST(SequenceWatch, TakesNoNewSenderForOneThatWent) {
     }
   }
   EXPECT_EQ(lost, 0U);
-  EXPECT_LE(watch.senders(), 2U);  // those that went are dropped
+  EXPECT_LE(watch.senders(), 2U);  // former senders are removed
 }
 
-// A sender without anything that stands for it is one like all others.
+// The null pointer identifies a sender like any other.
 TEST(SequenceWatch, TheEmptySenderIsOneOfThem) {
   Watch watch;
   EXPECT_EQ(watch.take(nullptr, 7), 0U);

@@ -1,4 +1,4 @@
-// State files: every bit kept, everything else refused, nothing but regular files read or replaced.
+// State files keep every bit and are refused if invalid; only regular files are read or replaced.
 #include "node/state_file.h"
 
 #include <sys/stat.h>
@@ -76,7 +76,7 @@ TEST(StateText, NestingIsBounded) {
     }
     expectRefusal(deep, "nested");
   }
-  // Brackets in a text are none.
+  // Brackets in a text do not nest.
   expectRefusal("{\"schema\": \"" + std::string(100, '[') + "\"}", "schema");
 }
 
