@@ -1,4 +1,4 @@
-// The plain loop. It repeats the laws of src/element on purpose: the error column compares the two.
+// The plain loop. It repeats the laws of src/element on purpose: the column of errors compares the two.
 #include "benchmark/bare_loop.h"
 
 #include <map>
@@ -26,7 +26,7 @@ void run(const ExampleParameters& parameters, const std::vector<double>& step, c
   }
 }
 
-// Of one step and of several, by the number of Maxwell elements.
+// By the number of Maxwell elements: the loop for one step, and that for different steps.
 const std::map<std::size_t, std::array<Loop, 2>> kLoops = {{1, {run<1, false>, run<1, true>}},
                                                            {5, {run<5, false>, run<5, true>}},
                                                            {10, {run<10, false>, run<10, true>}},

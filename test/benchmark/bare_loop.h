@@ -1,5 +1,4 @@
-// What the library is compared with: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand
-// for this alone.
+// The baseline for the library: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand.
 #pragma once
 
 #include <array>
@@ -11,7 +10,7 @@
 
 namespace rubber_suspension::benchmark {
 
-/// Memory of friction between steps: displacement and force of the last sample, reference point, direction of motion.
+/// State of friction between steps: displacement and force of the last sample, reference point, direction of motion.
 struct BareFriction {
   double last_displacement = 0.0;
   double reference_displacement = 0.0;
@@ -19,7 +18,7 @@ struct BareFriction {
   double reference_force = 0.0;
   double direction = 0.0;
 
-  /// Advance to a displacement [m], Berg's two branches as printed; returns the force [N].
+  /// Advances to a displacement [m] by Berg's two branches as printed; returns the force [N].
   inline double advance(double displacement, double maximum_force, double half_displacement) {
     if ((displacement - last_displacement) * direction < 0.0) {
       reference_displacement = last_displacement;
@@ -42,13 +41,13 @@ struct BareFriction {
   }
 };
 
-/// Force [N] at every sample, at rest at the first one. One step [s] holds throughout; of several, step[i] ends at
-/// sample i.
+/// Computes the force [N] at every sample, from rest at the first one. A single step [s] applies throughout; of
+/// several, step[i] ends at sample i.
 void bareLoop(const ExampleParameters& parameters, const std::vector<double>& step,
               const std::vector<double>& displacement, std::vector<double>& force);
 
-/// Stiffnesses and relaxation times of n Maxwell elements, a number that the compiler knows: that makes the loop as
-/// fast as a plain one gets.
+/// Stiffnesses and relaxation times of n Maxwell elements; with n known to the compiler, the loop is as fast as a plain
+/// one can be.
 template <int n>
 struct BareMaxwells {
   std::array<double, n> stiffness;        ///< [N/m]
@@ -62,18 +61,18 @@ struct BareMaxwells {
   }
 };
 
-/// A component in motion. A tick brings it to a displacement [m] and returns its force [N].
+/// A component in motion; tick() moves it to a displacement [m] and returns its force [N].
 template <int n>
 class BareComponent {
  public:
-  /// At rest at a displacement [m].
+  /// Starts at rest at a displacement [m].
   explicit BareComponent(const ExampleParameters& parameters, double displacement = 0.0)
       : spring_(parameters.spring),
         maximum_force_(parameters.maximum_force),
         friction_displacement_(parameters.friction_displacement),
         friction_{displacement, displacement} {}
 
-  /// For steps of that length [s]: F' = decay F + gain (z' - z).
+  /// Sets the length of the steps [s]: F' = decay F + gain (z' - z).
   void setStep(const BareMaxwells<n>& maxwells, double dt) {
     for (int i = 0; i < n; ++i) {
       const double ratio = dt / maxwells.relaxation_time[i];

@@ -1,4 +1,4 @@
-// What it costs that a saved state is one instant: bundles under the lock of all components, and a save against them.
+// The cost of saving a state of one instant: bundles under the lock of all components, and a save against bundles.
 #include <fmt/format.h>
 
 #include "benchmark/cases.h"
@@ -8,7 +8,7 @@
 namespace rubber_suspension::benchmark {
 namespace {
 
-// As many bundles for the components of a node twice: under the lock, and without.
+// Bundles for the components of a node, with and without the lock.
 struct BundleBench {
   std::vector<std::unique_ptr<node::ComponentChannel>> channels;
   std::unique_ptr<node::ChannelGroup> group;
@@ -23,7 +23,7 @@ struct BundleBench {
         stamps(stampsOf(Stamps::even, displacement.size())),
         library(displacement.size() * components),
         bare(library.size()) {
-    constexpr double kMaxGap = 0.5;  // [s], that of the node
+    constexpr double kMaxGap = 0.5;  // [s], as in the node
     std::vector<node::ComponentChannel*> pointers;
     for (std::size_t i = 0; i < components; ++i) {
       const io::ComponentDescription description{fmt::format("component_{:03d}", i), ExampleParameters().elements()};
@@ -47,7 +47,7 @@ struct BundleBench {
     }
   }
 
-  // Bundles wait while the states of all components are copied; the file is written afterwards.
+  // Bundles wait while the states of all components are copied, but not while the file is written.
   static constexpr std::size_t kSaves = 100;
   void save() {
     saved = 0;
@@ -89,9 +89,8 @@ Case saveCase(std::size_t components, std::size_t samples) {
 }  // namespace
 
 std::vector<Case> bundleCases(const BenchmarkSize& size) {
-  // A lock and its release are two atomic operations, some 10 ns where nobody else wants it, and a sample takes 20 ns:
-  // a lock of twice that price would be another kind of lock. Of fifty components nothing may be seen beyond what the
-  // layout of the code does to both.
+  // To lock and unlock takes two atomic operations, some 10 ns without contention, and a sample takes 20 ns, so twice
+  // the time would mean another kind of lock. With fifty components, only effects of the code's layout may remain.
   constexpr double kMostOfOne = 2.0;
   constexpr double kMostOfFifty = 1.1;
   return {lockCase(1, size.samples, kMostOfOne), lockCase(50, size.samples, kMostOfFifty), saveCase(50, size.samples)};

@@ -1,4 +1,4 @@
-// What is measured: the parts of the table, and single pieces of work.
+// Cases of the benchmark: the parts of the table, and single pieces of work.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 namespace rubber_suspension::benchmark {
 
 struct BenchmarkSize {
-  std::size_t samples = 100000;  ///< of the logs that are simulated, at 1 kHz
-  int components = 1000;         ///< at one tick
+  std::size_t samples = 100000;  ///< of the simulated logs, at 1 kHz
+  int components = 1000;         ///< at each tick
 };
 
-// The parts of the table; their files say what they measure.
+// The parts of the table; their files describe what they measure.
 std::vector<Case> forceCases(const BenchmarkSize& size);
 std::vector<Case> sixDirectionCases(const BenchmarkSize& size);
 std::vector<Case> bundleCases(const BenchmarkSize& size);

@@ -12,11 +12,11 @@ namespace {
 
 constexpr int kElements = 5;
 
-// Both sides of a row: each leaves its forces at the samples of the log.
+// Both sides of a row, with their forces at the samples of the log.
 struct Bench {
   ExampleParameters parameters;
   ExampleRun run;
-  std::vector<double> bare_steps;  // one where it holds throughout
+  std::vector<double> bare_steps;  // a single one if it is constant
   std::vector<double> bare;
   std::vector<double>& library = run.force;
 
@@ -47,7 +47,7 @@ void addSteps(std::vector<Case>& cases, std::size_t samples) {
   add(even, "a log offline, `simulateLog`", &ExampleRun::simulateWholeLog);
 }
 
-// Components that differ in all stiffnesses and forces by up to a factor of two.
+// Components whose stiffnesses and forces differ by up to a factor of two.
 struct ManyBench {
   std::vector<BareComponent<kElements>> members;
   std::vector<component::Component> components;
@@ -68,7 +68,7 @@ struct ManyBench {
     }
   }
 
-  // The signal again and again; where it starts again the displacement jumps, for all alike.
+  // Each run repeats the signal; the displacement jumps at its start, for both sides alike.
   void stepAll() {
     for (const double z : displacement) {
       for (std::size_t i = 0; i < components.size(); ++i) {

@@ -1,5 +1,5 @@
-// The program `benchmark_pairs`: how fast the library is against plain loops written by hand, and parts of it against
-// others, with the error beside it.
+// The program `benchmark_pairs`: the time of the library against plain loops written by hand, and of some of its parts
+// against others, with the error of the results.
 #include <fmt/format.h>
 
 #include "benchmark/cases.h"

@@ -1,4 +1,4 @@
-// Fuzz target: whatever bytes are given as a bag are refused by LogError or taken; what is taken is a valid log.
+// Fuzz target: a bag of any bytes is refused by LogError, or read as a valid log.
 #include "bag/bag_log.h"
 #include "fuzz/memory_file.h"
 #include "fuzz/valid_log.h"

@@ -1,4 +1,4 @@
-// What fuzz targets of components make of their bytes: a component of any elements, and samples for it.
+// Components of any elements, and samples for them, from the bytes of a fuzz target.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline void require(bool condition, const char* what) {
   }
 }
 
-/// Reads values off the fuzzer's bytes until there are none left.
+/// Reads values from the fuzzer's bytes until too few are left.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -46,8 +46,8 @@ class Bytes {
   std::size_t left_;
 };
 
-/// The elements that the bytes choose of the typical ones: how many, then which, each of them once; always a spring, so
-/// that there is a component.
+/// Chooses from the typical elements by the bytes: first their number, then each of them at most once. A spring is
+/// always chosen, because a component may not be empty.
 inline Component chosenComponent(Bytes& bytes) {
   const std::vector<ElementDescription> all = test::typicalElements();
   std::vector<bool> is_chosen(all.size(), false);
@@ -65,7 +65,7 @@ inline Component chosenComponent(Bytes& bytes) {
   return Component(chosen);
 }
 
-/// The next sample: steps from a nanosecond to hours, ahead and back, and now and then any 64 bits.
+/// Reads a sample: steps of nanoseconds to an hour, forward and back, and now and then any second or any double.
 inline bool nextSample(Bytes& bytes, std::int64_t& stamp, double& displacement) {
   std::uint8_t kind = 0;
   std::int16_t step = 0;
@@ -75,7 +75,7 @@ inline bool nextSample(Bytes& bytes, std::int64_t& stamp, double& displacement) 
   }
   const std::int64_t unit[] = {1, 1000, 1000000, 100000000};
   if (kind % 16 == 15) {
-    std::uint32_t anywhere = 0;  // a ROS stamp has 32 bits of seconds
+    std::uint32_t anywhere = 0;  // a ROS stamp has 32 bits for the seconds
     bytes.read(anywhere);
     stamp = static_cast<std::int64_t>(anywhere) * SampleStream::kNanosecondsPerSecond;
   } else {
@@ -84,7 +84,7 @@ inline bool nextSample(Bytes& bytes, std::int64_t& stamp, double& displacement) 
   if (kind / 16 == 15) {
     return bytes.read(displacement);
   }
-  const double scale[] = {1e-9, 1e-6, 1e-4, 1.0};  // [m] to a count of 32768
+  const double scale[] = {1e-9, 1e-6, 1e-4, 1.0};  // [m] per 32 counts
   const bool more = bytes.read(position);
   displacement = position * scale[kind / 16 % 4] / 32.0;
   return more;

@@ -1,5 +1,5 @@
-// Fuzz target: whatever text is given as a component file is refused by ComponentFileError or taken; what is taken
-// makes components, and written again reads back as it was.
+// Fuzz target: a component file of any text is refused by ComponentFileError, or read; then it makes components, and
+// reads back as it was when it is written.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -1,7 +1,7 @@
-// Fuzz target: whatever bytes are given as a log are refused by LogError or taken; what is taken is a valid log. The
-// bytes are text of any dialect, gzip, UTF-16, HDF5, RPC III, or one of the formats that are refused by name; text as
-// it stands, with the columns told by number, and with the rate told. MATLAB files are left to libmatio, which takes
-// whatever memory a damaged file asks for.
+// Fuzz target: a log of any bytes is refused by LogError, or read as a valid log. The bytes are text of any dialect,
+// gzip, UTF-16, HDF5, RPC III, or a format that is refused by name; text is read without options, with columns by
+// number, as a second segment, and with a sampling rate. MATLAB files are excluded, because libmatio allocates as much
+// memory as a damaged file asks for.
 #include <algorithm>
 
 #include "fuzz/memory_file.h"

@@ -1,5 +1,5 @@
-// Fuzz target: whatever bytes are given as a message, those that pass the node's check are decoded to the last byte,
-// and encoded again to the same bytes. The first byte says which message.
+// Fuzz target: a message of any bytes that passes the node's check can be decoded to the last byte, and is encoded to
+// the same bytes. The first byte selects the type of the message.
 #include <ros/serialization.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/DisplacementArray.h>
@@ -18,7 +18,7 @@ constexpr std::size_t kComponents = 5;
 
 template <class Message>
 void decode(const std::uint8_t* data, std::size_t size) {
-  std::vector<std::uint8_t> bytes(data, data + size);  // its end is watched
+  std::vector<std::uint8_t> bytes(data, data + size);  // a copy, so that reading beyond its end is detected
   Message message;
   ros::serialization::IStream input(bytes.data(), static_cast<std::uint32_t>(size));
   ros::serialization::deserialize(input, message);

@@ -1,5 +1,5 @@
-// Fuzz target: whatever finite or other numbers are restored as the state of a component of any elements are refused,
-// or lead to nothing worse than wrong forces: every sample is counted once, and what is dropped leaves no trace.
+// Fuzz target: any numbers restored as the state of any component are refused, or lead to nothing worse than wrong
+// forces: every sample is counted once, and dropped samples have no effect.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ using rubber_suspension::component::StreamForce;
 
 namespace {
 
-/// Numbers as the bytes say: whole ones, such as places and counts are, or any.
+/// Replaces numbers of the memory, by whole ones, such as indices and counts, or by any.
 std::vector<double> chosenMemory(Bytes& bytes, std::vector<double> memory) {
   std::uint8_t changes = 0;
   bytes.read(changes);

@@ -1,5 +1,5 @@
-// Fuzz target: a component of any elements, fed with any stamps and displacements, keeps a finite state, counts every
-// sample once and drops without a trace what it drops.
+// Fuzz target: any component with any stamps and displacements has a finite state, counts every sample once, and is not
+// affected by samples that it drops.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Fuzz target: whatever text is given as a state file is refused in one line or taken; what is taken is written and
-// read again as it was.
+// Fuzz target: a state file of any text is refused in one line, or read and reads back as it was when it is written.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

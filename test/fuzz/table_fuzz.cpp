@@ -1,5 +1,4 @@
-// Fuzz target: whatever text is given as a measured table is refused in one line or taken; what is taken can be a
-// table.
+// Fuzz target: a measured table of any text is refused in one line, or read with values that can be measured.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

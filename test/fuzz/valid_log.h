@@ -1,4 +1,4 @@
-// What every reader of logs owes: a valid log, or one line of error.
+// The contract of all readers of logs: a valid log, or one line of error.
 #pragma once
 
 #include <cstdio>
@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::fuzz {
 
-/// What stands in errors and notes goes to a terminal: one line without control characters.
+/// Errors and notes are printed to a terminal, so they have to be one line without control characters.
 inline void requireForTerminal(const std::string& text) {
   for (const unsigned char c : text) {
     if (c < 0x20 || c == 0x7F) {
@@ -19,7 +19,7 @@ inline void requireForTerminal(const std::string& text) {
   }
 }
 
-/// Call a reader; aborts where it breaks its promise.
+/// Calls a reader; aborts if it violates the contract.
 template <class Read>
 void requireValidLogOrError(Read read) {
   try {

@@ -1,4 +1,4 @@
-// The nodes as a benchmark runs them.
+// Starts the nodes that a benchmark measures.
 #include "benchmark/latency/benchmark_node.h"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ ForceArray answerTo(const DisplacementArray& bundle) {
 
 template <class In, class Out>
 ros::Subscriber connect(ros::NodeHandle& handle, const std::string& in, const std::string& out) {
-  constexpr std::uint32_t kQueueSize = 10000;  // that of the node
+  constexpr std::uint32_t kQueueSize = 10000;  // as in the node
   const boost::function<void(const boost::shared_ptr<const In>&)> answer =
       [publisher = handle.advertise<Out>(out, kQueueSize)](const boost::shared_ptr<const In>& message) {
         publisher.publish(answerTo(*message));

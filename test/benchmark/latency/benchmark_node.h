@@ -1,5 +1,5 @@
-// The nodes as a benchmark runs them, a process of its own with components made for the purpose, and round trips
-// through them: displacement sent to force received, at a rate or as fast as they go.
+// The nodes that a benchmark measures, each in a process of its own with generated components, and round trips through
+// them from a displacement to its force, at a rate or as fast as possible.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -16,50 +16,50 @@
 
 namespace rubber_suspension::benchmark {
 
-/// A component file with that number of components: by turns five Maxwell elements and Berg's model.
+/// Returns a component file with `count` components, alternately five Maxwell elements and Berg's model.
 std::string benchmarkComponents(int count);
 
-/// Names of these components, in the order of the file.
+/// Returns the names of these components in the order of the file.
 std::vector<std::string> benchmarkNames(int count);
 
-/// Answers every displacement at once, as long as the subscribers are held: the floor that the transport sets to any
-/// node's latency. Same topics and messages as the node `simulate`, single and bundled, but no component behind them.
+/// Answers every displacement at once while the subscribers exist, which is the lower bound of any node's latency. Has
+/// the topics and messages of the node `simulate`, single and bundled, but no components.
 std::vector<ros::Subscriber> echo(ros::NodeHandle& handle, const std::vector<std::string>& components);
 
-/// Round trips of one run [s], and whether any was lost.
+/// Round trips of one run [s].
 struct RoundTrips {
   std::vector<double> durations;  ///< sorted
   std::size_t sent = 0;
-  std::size_t surplus = 0;  ///< answers to nothing that was sent, or answered already
+  std::size_t surplus = 0;  ///< answers without a sample, or beyond the first
   double elapsed = 0.0;     ///< [s]
 
-  /// 0 without any.
+  /// Returns 0 if there are no round trips.
   double quantile(double fraction) const { return durations.empty() ? 0.0 : numerics::quantileOf(durations, fraction); }
   std::size_t lost() const { return sent - durations.size(); }
 };
 
-/// Drives the components of a node in a namespace. Sends in the calling thread, receives in one of its own. The stamps
-/// go on from run to run, a millisecond from sample to sample.
+/// Drives the components of a node in a namespace: sends in the calling thread and receives in one of its own. Stamps
+/// continue from run to run, a millisecond apart.
 class RoundTripMeter {
  public:
-  /// With `bundled` all components go in one message of the topics `displacements` and `forces`. With `measured` each
-  /// displacement that has a topic of its own is followed by a measured force: that of a spring with friction.
-  /// Waits until every topic is connected. Throws std::runtime_error where that does not come about.
+  /// With `bundled`, all components share the messages of the topics `displacements` and `forces`. With `measured`,
+  /// each single displacement is followed by a measured force, that of a spring with friction. Waits until every topic
+  /// is connected; throws std::runtime_error if one is not in time.
   RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled,
                  bool measured = false);
   ~RoundTripMeter();
 
-  /// Send to all components at once, `rate` times a second [Hz], for a time [s].
+  /// Sends to all components at once at a `rate` [Hz], for a `duration` [s].
   RoundTrips atRate(double rate, double duration);
 
-  /// Send for a time [s] as fast as answers come, that many samples of each component under way and
-  /// `most` of each in all.
+  /// Sends for a `duration` [s] as fast as answers come, with `under_way` unanswered samples of each component, and at
+  /// most `most` samples of each in total.
   RoundTrips flood(double duration, std::size_t under_way, std::uint64_t most);
 
  private:
   struct Link;
 
-  // Sends sample after sample as long as isDue(number in this run, time since its start) holds.
+  // Sends samples while isDue(number in this run, time since its start) holds.
   template <class Due>
   RoundTrips run(std::uint64_t most, Due isDue);
   std::size_t answered() const;
@@ -69,14 +69,14 @@ class RoundTripMeter {
   std::uint64_t next_ = 0;  // number of the next sample
 };
 
-/// The program to run: an echo node, or `simulate` without or with ~diagnose.
+/// The program to start: an echo node, or `simulate` without or with ~diagnose.
 enum class NodeKind { echo, plain, diagnosing };
 
-/// A node in a namespace of its own, and what drives it. Needs a master.
+/// A node in a namespace of its own, with its driver. Needs a master.
 class BenchmarkNode {
  public:
-  /// Starts the program that lies beside the running one and waits until it serves, with measured forces where they are
-  /// `measured`. Throws std::runtime_error.
+  /// Starts the program in the folder of the running one and waits until it serves; `measured` adds measured forces.
+  /// Throws std::runtime_error.
   BenchmarkNode(NodeKind kind, int components, bool bundled = false, bool measured = false);
 
   RoundTripMeter& meter() { return meter_; }

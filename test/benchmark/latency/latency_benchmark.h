@@ -13,63 +13,63 @@ namespace rubber_suspension::benchmark {
 
 struct BenchmarkOptions {
   std::vector<int> components = {1, 10, 50};
-  double rate = 1000.0;         ///< of each component, where that is not more than total_rate in all [Hz]
-  double total_rate = 10000.0;  ///< samples of all components together, at most [Hz]
+  double rate = 1000.0;         ///< of each component, unless that exceeds total_rate [Hz]
+  double total_rate = 10000.0;  ///< largest rate of all components together [Hz]
   double duration = 1.0;        ///< of each run [s]
   int pairs = 31;               ///< runs of echo node, node, and echo node again, per row
-  double flood_duration = 2.0;  ///< of each run for the highest rate [s]
-  bool diagnose = false;        ///< compare a node that diagnoses with one that does not, in the echo node's place
+  double flood_duration = 2.0;  ///< of each run at the highest rate [s]
+  bool diagnose = false;        ///< compare a node that diagnoses with one that does not, instead of the echo node
 };
 
 /// A quantile of the round trips over the runs.
 struct LatencyQuantile {
   double echo = 0.0;  ///< of the echo node, median over the runs [s]
-  io::Spread node;    ///< node to echo node
-  io::Spread again;   ///< echo node to itself: what the machine does to such a ratio
+  io::Spread node;    ///< ratio of the node to the echo node
+  io::Spread again;   ///< ratio of the echo node to itself, which shows the scatter of the machine
 };
 
 /// One row of the table.
 struct LatencyRow {
   int components = 0;
   bool bundled = false;
-  bool diagnose = false;  ///< the node diagnoses, and the echo node is a node that does not
+  bool diagnose = false;  ///< the node diagnoses, and the baseline is a node that does not
   double rate = 0.0;      ///< of each component [Hz]
   LatencyQuantile median;
-  LatencyQuantile late;       ///< the 99th percentile
-  std::size_t lost = 0;       ///< samples without answer, both nodes
+  LatencyQuantile late;       ///< 99th percentile
+  std::size_t lost = 0;       ///< unanswered samples of both nodes
   double echo_highest = 0.0;  ///< highest rate without loss, all components together [samples/s]
   double node_highest = 0.0;
 };
 
-/// Measure. Needs a master and starts nothing but the two nodes, which are this program's neighbours `simulate` and
-/// `benchmark_latency --echo`. `progress` is told what is being measured. Throws std::runtime_error.
+/// Measures the latencies. Needs a master, and starts only the two nodes, `simulate` and `benchmark_latency --echo` in
+/// the folder of this program. Reports each step to `progress`. Throws std::runtime_error.
 std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
                                          const std::function<void(const std::string&)>& progress);
 
-/// The rows as a Markdown table.
+/// Prints the rows as a Markdown table.
 void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out);
 
-// Millions of samples through the node, as fast as it answers: every one has its force, and the memory does not grow.
+// A soak test: of millions of samples, as fast as the node answers, each has its force, and the memory does not grow.
 
 struct SoakResult {
   int components = 0;
   std::uint64_t sent = 0;
   std::uint64_t answered = 0;  ///< samples with exactly one force
-  std::uint64_t surplus = 0;   ///< forces that belong to no sample, or to one that had its force
+  std::uint64_t surplus = 0;   ///< forces without a sample, or beyond the first of a sample
   double elapsed = 0.0;        ///< [s]
   std::vector<long> memory;    ///< resident memory of the node after each hundredth of the samples [bytes]
 
   bool exact() const { return answered == sent && surplus == 0; }
 };
 
-/// Soak the node that lies beside the running program, with so many samples of all components together. Needs a master.
-/// `progress` is told of every tenth part. Throws std::runtime_error.
+/// Sends this number of samples of all components together to the node in the folder of this program. Needs a master.
+/// Reports every tenth to `progress`. Throws std::runtime_error.
 SoakResult soak(std::uint64_t samples, int components, const std::function<void(const std::string&)>& progress);
 
-/// The result as a Markdown table.
+/// Prints the result as a Markdown table.
 void printMarkdown(const SoakResult& result, std::ostream& out);
 
-/// Memory of a process that is resident [bytes]; 0 where there is no such process.
+/// Returns the resident memory of a process [bytes]; 0 if there is no such process.
 long residentMemory(int process);
 
 }  // namespace rubber_suspension::benchmark

@@ -1,4 +1,4 @@
-// Millions of samples through the node.
+// The soak test with millions of samples.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -14,7 +14,7 @@ namespace rubber_suspension::benchmark {
 namespace {
 
 constexpr int kPieces = 100;
-constexpr std::size_t kSamplesUnderWay = 100;  // samples of each component
+constexpr std::size_t kSamplesUnderWay = 100;  // unanswered samples of each component
 
 double mebibytes(long bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
 
