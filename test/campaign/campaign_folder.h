@@ -1,4 +1,4 @@
-// A folder for a campaign, and small inputs in it.
+// A folder for a campaign, which tests fill with small inputs.
 #pragma once
 
 #include "campaign/make.h"
@@ -9,7 +9,7 @@ namespace rubber_suspension {
 
 class CampaignFolder : public ScratchFolder {
  public:
-  /// The component `bush`, and `spring` where wanted.
+  /// Writes a file with the component `bush` and returns its path.
   std::string writeComponent(const std::string& name, double static_stiffness = 1e6) const {
     return write(name, fmt::format("components:\n  bush:\n    model: maxwell\n    specification:\n"
                                    "      static_stiffness: {}\n      dynamic_stiffness: {}\n"
@@ -17,7 +17,7 @@ class CampaignFolder : public ScratchFolder {
                                    static_stiffness, 1.3 * static_stiffness));
   }
 
-  /// A log of 1 s of a sine; `variant` makes it another one.
+  /// Writes a log of 1 s of a sine; `variant` changes its content.
   std::string writeLog(const std::string& name, int variant = 0, bool with_force = true) const {
     std::string text = with_force ? "time_s,displacement_m,force_N\n" : "time_s,displacement_m\n";
     for (int i = 0; i < 200; ++i) {

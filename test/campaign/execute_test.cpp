@@ -1,4 +1,4 @@
-// A job gives what the command that it stands for gives, to the last byte.
+// A job has the results of the command that it represents, to the last byte.
 #include "campaign/execute.h"
 
 #include "campaign/campaign_folder.h"
@@ -26,7 +26,7 @@ class ExecuteJob : public ::testing::Test {
     }
   }
 
-  // The record of the only job of a jobs file.
+  // Returns the record of the only job of a jobs file.
   campaign::Record execute(const std::string& command) {
     folder_.write("jobs.yaml", "jobs:\n  one:\n    command: " + command + "\n    config: c.yaml\n    log: log_*.csv\n");
     const campaign::Manifest manifest =

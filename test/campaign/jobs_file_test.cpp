@@ -1,4 +1,4 @@
-// The jobs file: what is read, and that everything wrong is told at once, with line, key, value and what is accepted.
+// The jobs file: it is read, or all its errors are reported at once, with line, key, value and what is accepted.
 #include "campaign/jobs_file.h"
 
 #include "support/test.h"

@@ -1,4 +1,4 @@
-// Working jobs off: records, what is passed over, what is done again, crashes, shards, and tables of the same bytes.
+// Running jobs: records, skipped and repeated jobs, crashes, shards, and tables of the same bytes.
 #include "campaign/run.h"
 
 #include <sys/resource.h>
@@ -30,7 +30,7 @@ class RunCampaign : public ::testing::Test {
     writeJobs(6);
   }
 
-  // So many draws, each with both logs.
+  // Writes jobs with this number of draws, each with both logs.
   void writeJobs(int draws) const {
     folder_.write(
         "jobs.yaml",
@@ -76,7 +76,7 @@ class RunCampaign : public ::testing::Test {
     }
   }
 
-  // Reads a log after something that happens in the worker process.
+  // Returns a reader that calls `before` in the worker process, and then reads the log.
   static campaign::LogReader readingAfter(const std::function<void(const std::string& path)>& before) {
     return [before](const std::string& path, const std::string& component, const log::LogFormat& format) {
       before(path);
@@ -126,7 +126,7 @@ TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
   };
   damage(0, record.substr(0, record.size() / 2));
   damage(1, replaced(contentOf(recordPath(manifest, 1)), "\"version\":\"1.0\"", "\"version\":\"0.9\""));
-  damage(2, record);  // that of job 0
+  damage(2, record);  // the record of job 0
   damage(3, "");
   const std::string report = folder_.path("out/" + campaign::reportFolder(manifest.jobs[4].id) + "/force.csv");
   std::filesystem::resize_file(report, 10);
@@ -141,7 +141,7 @@ TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
   EXPECT_THAT(statusOf(manifest).broken, IsEmpty());
 }
 
-// Whatever stands in place of a record is told with its file and done again; none ends the program.
+// Any other content in place of a record is reported with its file, and does not end the program.
 TEST_F(RunCampaign, ARecordOfAnotherFormIsBroken) {
   const campaign::Manifest manifest = make();
   run();
@@ -181,7 +181,7 @@ TEST_F(RunCampaign, ADigitThatChangesIsToldAndDoneAgain) {
   EXPECT_THAT(said_, ElementsAre(HasSubstr("the job is run again")));
 }
 
-// A digit of a force that changes leaves the file's size as it was.
+// A changed digit of a force does not change the size of the file.
 TEST_F(RunCampaign, AChangedDigitOfAReportIsToldAndDoneAgain) {
   const campaign::Manifest manifest = make();
   run();
@@ -223,11 +223,11 @@ TEST_F(RunCampaign, APipeOrFolderInPlaceOfARecordIsToldAndDoneAgain) {
   EXPECT_EQ(collect().done, 12U);
 }
 
-// What the machine lacks ends the run, or leaves the job, and is no result.
+// A lack of disk space ends the run, and is not stored as a result.
 TEST_F(RunCampaign, ADiskWithoutRoomLeavesNoResult) {
   writeJobs(1);
   make();
-  for (const rlim_t most : {10, 400}) {  // the file of forces, or the record
+  for (const rlim_t most : {10, 400}) {  // limits the file of forces, or the record
     const auto limited = readingAfter([most](const std::string&) {
       const rlimit limit{most, RLIM_INFINITY};
       setrlimit(RLIMIT_FSIZE, &limit);
@@ -256,7 +256,7 @@ TEST_F(RunCampaign, AJobWithoutMemoryIsTriedAgain) {
   EXPECT_EQ(run().done, 1U);
 }
 
-// A spreadsheet would work out what begins like a formula.
+// A spreadsheet would evaluate a text that begins like a formula.
 TEST_F(RunCampaign, ATableHasNoFormulas) {
   folder_.write("jobs.yaml", "jobs:\n  \"=cmd()\":\n    command: replay\n    config: c.yaml\n    log: log_1.csv\n");
   campaign::collect(make(), folder_.path("out"));
@@ -291,7 +291,7 @@ TEST_F(RunCampaign, AJobThatCrashesTakesNoOtherWithIt) {
   options.workers = 2;
   const campaign::RunSummary summary = run(options, "out", readingAfter([](const std::string& path) {
                                              if (path.find("log_2") != std::string::npos) {
-                                               std::raise(SIGABRT);  // sanitizers would turn a SIGSEGV into an exit
+                                               std::raise(SIGABRT);  // sanitizers would replace a SIGSEGV by an exit
                                              }
                                            }));
   EXPECT_EQ(summary.done, 6U);
@@ -301,9 +301,9 @@ TEST_F(RunCampaign, AJobThatCrashesTakesNoOtherWithIt) {
 
 class HangingJobs : public RunCampaign {
  protected:
-  static constexpr double kShort = 0.02;  // [min], 1.2 s: thirty times what a job takes that ends
+  static constexpr double kShort = 0.02;  // [min], 1.2 s: thirty times the duration of a job that ends
 
-  // One log keeps its reader waiting for ever, as a file system or a loop without end would.
+  // The reader of one log waits forever, as on a file system that hangs.
   const campaign::LogReader hanging_ = readingAfter([](const std::string& path) {
     while (path.find("log_2") != std::string::npos) {
       pause();
@@ -389,10 +389,10 @@ TEST(Shards, AreParsed) {
   }
 }
 
-// What the supervisor sees of workers that do nothing, fail, or are killed from outside once or for ever.
+// The reports of a supervisor on workers that do nothing, fail, or are killed by a signal.
 class Workers : public ::testing::Test {
  protected:
-  // `work` returns true where a job is done, false where it failed.
+  // `work` returns true if a job is done, false if it failed.
   bool workOff(std::size_t count, int workers, const std::function<bool(std::size_t)>& work, double longest = 0.0) {
     campaign::PoolCallbacks callbacks;
     callbacks.start_worker = [&] { return [&](std::size_t job) { return work(job) ? "" : "an error"; }; };
@@ -475,7 +475,7 @@ TEST_F(Workers, ThatTakeTooLongAreEnded) {
   EXPECT_THAT(reasons_[JobEnd::died], ::testing::Each(HasSubstr("took longer than the limit of 0.00333333 min")));
 }
 
-// A limit is for one job: many short ones take longer together.
+// The limit applies to a single job; many short ones together may take longer.
 TEST_F(Workers, OfManyShortJobsAreNotEnded) {
   workOff(
       20, 1,
@@ -489,7 +489,7 @@ TEST_F(Workers, OfManyShortJobsAreNotEnded) {
 }
 
 TEST_F(Workers, KeepTheTimeInWhichAllWereSuspended) {
-  // A child suspends this process, as a cluster does, for longer than the limit.
+  // A child suspends this process for longer than the limit, as the scheduler of a cluster may do.
   const pid_t supervisor = getpid();
   const pid_t cluster = fork();
   if (cluster == 0) {
@@ -502,7 +502,7 @@ TEST_F(Workers, KeepTheTimeInWhichAllWereSuspended) {
   workOff(
       1, 1,
       [](std::size_t) {
-        usleep(5500000);  // goes on while the supervisor is stopped
+        usleep(5500000);  // continues while the supervisor is suspended
         return true;
       },
       4.0);

@@ -1,4 +1,4 @@
-// Bushing property files: read again, block by block, as other programs read them.
+// Bushing property files are parsed block by block, as other programs read them.
 #include "command/bushing_file.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -7,7 +7,7 @@
 namespace rubber_suspension::command {
 namespace {
 
-// Lines by block, without comments.
+// Returns the lines of each block, without comments.
 std::map<std::string, std::vector<std::string>> blocksOf(const std::string& text) {
   std::map<std::string, std::vector<std::string>> blocks;
   std::string block;
@@ -45,7 +45,7 @@ BushingFileOptions options(BushingFormat format = BushingFormat::adams) {
 
 Bushing alongX(const component::Component& component) { return bushingAlong(component::kX, component); }
 
-// `KEY = value` of a block.
+// Returns the value of a line `KEY = value`.
 std::string valueOf(const std::vector<std::string>& lines, const std::string& key) {
   for (const std::string& line : lines) {
     std::istringstream stream(line);
@@ -78,14 +78,14 @@ TEST(BushingFile, HasStaticCurveAndDampingInItsUnits) {
   ASSERT_EQ(curve.size(), 11U);
   for (const auto& [x, force] : curve) {
     const double z = 1e-3 * x;
-    EXPECT_NEAR(force, 3e6 * z + 2e10 * z * z * z, 1e-6 * 3e6 * 5e-3);  // nine digits are written
+    EXPECT_NEAR(force, 3e6 * z + 2e10 * z * z * z, 1e-6 * 3e6 * 5e-3);  // the file has nine digits
   }
   EXPECT_EQ(curve.front().first, -5.0);
   EXPECT_EQ(curve[5], std::make_pair(0.0, 0.0));
   for (const auto& [x, force] : curveOf(blocks.at("FZ_CURVE"))) {
     EXPECT_EQ(force, 0.0);
   }
-  // 8000 N s/m are 8 N s/mm. The loop of a cubic spring loses nothing: the area of the loop, in closed form.
+  // 8000 N s/m are 8 N s/mm, from the area of the loop; the cubic spring dissipates nothing.
   EXPECT_NEAR(numberOf(blocks.at("DAMPING"), "FX_DAMPING"), 8.0, 1e-6);
   EXPECT_EQ(numberOf(blocks.at("DAMPING"), "FY_DAMPING"), 0.0);
 }
@@ -96,7 +96,7 @@ TEST(BushingFile, TellsWhatTheFormatCannotSay) {
   const BushingFile file = makeBushingFile("bush", alongX(component), options());
   EXPECT_THAT(file.notes, Contains(HasSubstr("maxwell: the file contains only its force at rest")));
   EXPECT_THAT(file.notes, Contains(HasSubstr("y, z, rx, ry, rz: free")));
-  // K* = 3 + i x/(1 + i x) kN/mm with x = f/f_b = 2: 3.8 + 0.4 i; of the file the real part is static.
+  // K* = 3 + i x/(1 + i x) kN/mm with x = f/f_b = 2: 3.8 + 0.4 i; the file has the static stiffness as real part.
   EXPECT_THAT(file.notes.front(), HasSubstr("x: at 4 Hz and 1 mm the component has 3.821 kN/mm and 6.01 degrees"));
   EXPECT_THAT(file.notes.front(), HasSubstr("the file 3.027 kN/mm and 7.59 degrees"));
 }
@@ -113,7 +113,7 @@ TEST(BushingFile, RefusesOptionsThatMakeNoFile) {
   refuses(11, 4.0, {5e-3, -1.0});
 }
 
-// F = 3e6 z + 2e10 z^3 at eleven points to both sides.
+// F = 3e6 z + 2e10 z^3 at eleven points.
 element::ElementDescription springTable() {
   std::vector<double> displacement;
   std::vector<double> force;
@@ -153,7 +153,7 @@ TEST(BushingFile, HasSixDirectionsForAdams) {
   EXPECT_THAT(file.notes, Contains(HasSubstr("frame: ")));
 }
 
-// The columns that the activity table switches on, by formulation.
+// Returns the columns of the activity table by formulation.
 std::map<std::string, std::string> activity(const std::vector<std::string>& lines) {
   std::map<std::string, std::string> rows;
   for (const std::string& line : lines) {
@@ -195,7 +195,7 @@ TEST(BushingFile, HasSixDirectionsForAltair) {
   EXPECT_NEAR(numberOf(blocks.at("CONSTANT_DAMPING_TX"), "C"), 5.0 * 1e3 * kDegree, 1e-5);
   EXPECT_EQ(blocks.count("CONSTANT_DAMPING_TY"), 0U);
   EXPECT_THAT(file.notes,
-              Contains(HasSubstr("coupling: the file has one for forces and moments")));  // moments are not coupled
+              Contains(HasSubstr("coupling: the file has one for forces and moments")));  // not for moments here
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(CharacteristicTable, OfALinearComponentIsItsComplexStiffnessUnderAnyPreload
     const std::complex<double> expected = *component.complexStiffness(row.point.frequency);
     EXPECT_EQ(row.complex_stiffness, expected);
     EXPECT_DOUBLE_EQ(row.point.characteristics.stiffness, std::abs(expected));
-    // The arcsine of the definition loses a digit or two against the argument.
+    // The loss angle is defined by an arcsine, which is less accurate than the argument by a digit or two.
     EXPECT_NEAR(row.point.characteristics.loss_angle, std::arg(expected), 1e-12);
     EXPECT_NEAR(row.mean, row.preload / kLinear, 1e-12);  // found by iteration, to 50 bits
   }
@@ -38,7 +38,7 @@ component::Component elastomer(double slower) {
                                {"stress_softening", {{"reduction", {0.2}}, {"width", {0.5}}}}});
 }
 
-// No second has a meaning of its own: a component 64 times as slow gives the same at frequencies 64 times as low.
+// No time scale is special: a component that is 64 times slower has the same values at frequencies 64 times lower.
 TEST(CharacteristicTable, OfASlowerComponentIsThatAtLowerFrequencies) {
   constexpr double kSlower = 64.0;
   const auto table = makeTable("bush", elastomer(1.0), {{0.5, 4.0, 30.0}, {1e-4, 2e-3}, {0.0, 5e3}});
@@ -67,7 +67,7 @@ TEST(CharacteristicTable, APreloadStiffensACubicSpring) {
     const double at = row.preload == 0.0 ? 0.0 : std::copysign(mean, row.preload);
     EXPECT_NEAR(row.mean, at, 1e-12);
     const double slope = kLinear + 3.0 * kCubic * at * at;
-    // The loop of 720 samples has its turning points among them, so rounding alone is left.
+    // The loop of 720 samples includes the turning points, so that only rounding remains.
     EXPECT_NEAR(row.point.characteristics.stiffness, slope + kCubic * amplitude * amplitude, 1e-6 * slope);
     EXPECT_NEAR(row.complex_stiffness.real(), slope + 0.75 * kCubic * amplitude * amplitude, 1e-6 * slope);
     EXPECT_NEAR(row.complex_stiffness.imag(), 0.0, 1e-6 * slope);
@@ -88,7 +88,7 @@ TEST(CharacteristicTable, FrictionFallsWithTheAmplitudeAndIsTold) {
   EXPECT_THAT(table.notes, Contains(HasSubstr("nonlinear")));
 }
 
-// Friction takes no part at rest, and what it does under a sine does not depend on where the sine swings.
+// Friction does not act at rest, and its effect on a sine does not depend on the mean displacement.
 TEST(CharacteristicTable, FrictionOnALinearSpringDoesNotFeelThePreload) {
   const component::Component component(
       {{"spring", {{"stiffness", {kLinear}}}}, {"friction", {{"maximum_force", {5e3}}, {"displacement", {2.2e-3}}}}});
@@ -100,7 +100,7 @@ TEST(CharacteristicTable, FrictionOnALinearSpringDoesNotFeelThePreload) {
   EXPECT_NEAR(table.rows[1].point.characteristics.loss_angle, angle, 1e-9);
 }
 
-// A strap swings about a preload as if it were glued; there is none of the other sign.
+// About a preload, a strap behaves as if it were bonded; it cannot carry a preload of the other sign.
 TEST(CharacteristicTable, AStrapCarriesPreloadsOfOneSign) {
   const component::Component strap({{"spring", {{"stiffness", {kLinear}}}}, {"lift_off", {{"side", {1.0}}}}});
   const auto table = makeTable("strap", strap, {{1.0}, {1e-3}, {9e3}});

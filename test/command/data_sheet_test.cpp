@@ -1,4 +1,4 @@
-// Data sheets as files: a component file that can be used, and errors that say where.
+// Data sheets as files: the resulting component file can be used, and errors name the line.
 #include "command/data_sheet.h"
 
 #include "support/files.h"

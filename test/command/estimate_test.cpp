@@ -105,7 +105,7 @@ TEST(EstimateReport, FigureHasACurvePerComponent) {
   }
 }
 
-// What was specified is to be seen beside what follows from it, and the curves go through it.
+// The specified values are drawn beside the curves that follow from them, and the curves pass through them.
 TEST(EstimateReport, FigureMarksTheSpecification) {
   const command::EstimateReport report = reportOf("left");
   const io::Figure figure = command::toFigure({report});
@@ -121,7 +121,7 @@ TEST(EstimateReport, FigureMarksTheSpecification) {
   EXPECT_THAT(curve("K_max").y, testing::Each(specified.at("maximum_stiffness") * 1e-6));
   EXPECT_THAT(curve("K_n at f_n").x, testing::ElementsAre(specified.at("nominal_frequency")));
   EXPECT_THAT(curve("K_n at f_n").y, testing::ElementsAre(specified.at("dynamic_stiffness") * 1e-6));
-  EXPECT_TRUE(curve("K at f_h").x.empty());  // K_max is no stiffness at f_h
+  EXPECT_TRUE(curve("K at f_h").x.empty());  // K_max is not a stiffness at f_h
 }
 
 }  // namespace

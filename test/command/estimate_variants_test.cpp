@@ -1,4 +1,4 @@
-// What `estimate` writes for others: models beside each other, sensitivities, CSV, the linear part as matrices.
+// Further outputs of `estimate`: several models, sensitivities, CSV, the linear part as matrices.
 #include <unistd.h>
 
 #include <Eigen/Dense>
@@ -51,7 +51,7 @@ TEST(InModels, CompletesWhatTheSpecificationLacks) {
   notes.clear();
   const auto models = inModels(multi, {"M1,M2", "M3", "M4", "M5", "M6,3", "5"}, notes);
   ASSERT_EQ(models.size(), 8u);
-  // The loss angle of five elements is that of theory.md.
+  // The loss angle of five elements equals that in theory.md.
   const double angle = models[5].specification().at("loss_angle");
   EXPECT_NEAR(angle * 180.0 / element::kPi, 5.98, 5e-3);
   EXPECT_NEAR(models[5].specification().at("break_frequency"),
@@ -75,7 +75,7 @@ TEST(InModels, TakesNumbersOfMaxwellElements) {
   }
 }
 
-// M2 at f_n: K_n alone sets K there; at high frequency its elasticities add up to 1, as K scales with all stiffnesses.
+// K depends on K_n alone at f_n; at any frequency the elasticities add up to 1, as K scales with all stiffnesses.
 TEST(Sensitivity, OfOneMaxwellElement) {
   SweepOptions options;
   options.lowest_frequency = 0.4;
@@ -97,7 +97,7 @@ TEST(Sensitivity, OfOneMaxwellElement) {
   EXPECT_NEAR(at_nominal[0], 0.0, 1e-9);
   EXPECT_NEAR(at_nominal[1], 1.0, 1e-9);
   for (const double one : sum) {
-    EXPECT_NEAR(one, 1.0, 1e-3);  // of changes by 1 %
+    EXPECT_NEAR(one, 1.0, 1e-3);  // the changes are 1 %
   }
   EXPECT_THAT(toText(report), HasSubstr("sensitivity to each input, changed by 1 %"));
   for (std::size_t i = 0; i < report.over_frequency.size(); ++i) {
@@ -107,7 +107,7 @@ TEST(Sensitivity, OfOneMaxwellElement) {
   }
 }
 
-// A table that --from-table reads back, to the last digit.
+// --from-table reads the table back to the last digit.
 TEST(EstimateCsv, IsReadBackAsATable) {
   const EstimateReport report = makeEstimateReport(maxwell(), {});
   const std::string text = toCsv({report});
@@ -129,7 +129,7 @@ std::complex<double> stiffnessOf(const LinearPart& part, double frequency) {
   return (part.c.cast<std::complex<double>>() * states)(0) + (part.d.cast<std::complex<double>>() * input)(0);
 }
 
-// C (s I - A)^-1 B + D at s = i omega is K* of the component, for every law that has a linear form.
+// C (s I - A)^-1 B + D at s = i omega equals K* of the component, for every law that has a linear form.
 TEST(LinearPartOf, HasTheComplexStiffness) {
   const auto component = load(R"(    model: elements
     elements:
@@ -167,7 +167,7 @@ TEST(WriteLinearParts, AsJsonAndAsMatlabFile) {
   EXPECT_THAT(folder.read("part.json"), HasSubstr("rubber_suspension/state_space/1"));
   writeLinearParts({part}, folder.path("part.mat"));
   const std::string content = folder.read("part.mat");
-  // Four matrices of doubles behind the head of 128 bytes; the stiffness 3e6 stands among them as it is.
+  // Four matrices of doubles follow the header of 128 bytes; one of them contains the stiffness 3e6.
   EXPECT_GT(content.size(), 128u + 4u * 48u);
   const double stiffness = part.d(0);
   EXPECT_NE(content.find(std::string(reinterpret_cast<const char*>(&stiffness), sizeof stiffness)), std::string::npos);
@@ -175,7 +175,7 @@ TEST(WriteLinearParts, AsJsonAndAsMatlabFile) {
   EXPECT_THROW(writeLinearParts({part, part}, folder.path("two.mat")), std::invalid_argument);
 }
 
-// As a German laboratory writes it: names, decimal comma, tan delta, K' and K''.
+// A table of a German laboratory: names, decimal comma, tan delta, K' and K''.
 TEST(MeasuredTable, ReadsGermanTables) {
   const fit::MeasuredTable factor = parseTable(
       "Frequenz [Hz];Amplitude [mm];Dynamische Steifigkeit [N/mm];tan delta\n4;0,5;3200,5;0,1\n", "labor.csv");

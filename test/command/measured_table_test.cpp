@@ -27,7 +27,7 @@ TEST(MeasuredTable, ReadsUnitsSeparatorsAndComments) {
   EXPECT_THAT(table.notes[0], HasSubstr("Operator"));
 }
 
-// One point in the words of many laboratories: 2 Hz, 0.5 mm, 3 kN/mm, 0.1 rad.
+// One point as many laboratories write it: 2 Hz, 0.5 mm, 3 kN/mm, 0.1 rad.
 TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
   const double storage = 3000.0 * std::cos(0.1);
   const double loss = 3000.0 * std::sin(0.1);
@@ -73,7 +73,7 @@ TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
   EXPECT_DOUBLE_EQ(comma.points.at(0).stiffness, 1352.75e3);
 }
 
-// A table that no component makes, or this one in another unit, is refused before the fit.
+// A table that no component can have, or that this one would have in another unit, is refused before the fit.
 TEST(MeasuredTable, IsHeldAgainstTheComponent) {
   const io::ComponentDescription bush{"bush",
                                       {{"spring", {{"stiffness", {1.2e6}}}}, {"dashpot", {{"damping", {2e4}}}}}};
@@ -151,7 +151,7 @@ TEST(MeasuredTable, ReadsWhereAPreloadHoldsTheComponentAndTheTemperature) {
       "lab.csv");
   ASSERT_EQ(table.points.size(), 1U);
   EXPECT_DOUBLE_EQ(table.points[0].mean, -3.5e-3);
-  EXPECT_NEAR(table.points[0].temperature.value(), 20.0, 1e-9);  // rounding of the offset of 273.15
+  EXPECT_NEAR(table.points[0].temperature.value(), 20.0, 1e-9);  // the offset of 273.15 is rounded
   EXPECT_THAT(table.notes, IsEmpty());
 }
 

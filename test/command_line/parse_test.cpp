@@ -1,5 +1,5 @@
-// Command lines read by a table of options: what fills what, what is refused and how, and the help that follows from
-// the table.
+// Command lines read by a table of options: values of the variables, refusals, and the help that follows from the
+// table.
 #include "command_line/parse.h"
 
 #include "command_line/command.h"
@@ -165,7 +165,7 @@ TEST(Help, LeavesOutWhatIsRare) {
   EXPECT_THAT(help, HasSubstr("\nExamples:\n  # Less\n  rosrun rubber_suspension try --quick\n"));
 }
 
-// What runCommand() makes of files that the table names: by its exit status.
+// runCommand() checks the files that the table names, and returns the exit status.
 TEST(RunCommand, ChecksTheFilesOfTheTableBeforeItRuns) {
   const auto status = [](const std::string& input, const std::string& output, bool forced) {
     std::string read;

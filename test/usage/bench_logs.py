@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# The virtual bench of docs/example.md: a bush that its data sheet does not describe in full, on a machine that writes German
-# text. It shares no code with the package.
+# The virtual bench of docs/example.md: a bush that its data sheet does not describe completely, on a machine that
+# writes German text. It shares no code with the package.
 """Write the specification of a bush and logs of a virtual bench: bench_logs.py EFFECT FOLDER."""
 import argparse
 import os
@@ -27,7 +27,7 @@ COMPONENT = """components:
 
 
 def eased(z):
-    """From rest to rest: a second of standstill, then a second to come in, and likewise at the end."""
+    """Let the motion start and end with a second of standstill and a second of transition."""
     n = int(RATE)
     ramp = 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / n)
     z[:n], z[-n:] = z[:n] * ramp, z[-n:] * ramp[::-1]
@@ -35,14 +35,14 @@ def eased(z):
 
 
 def programme():
-    """Displacement of each log [m]: a sweep at the machine's largest speed, sines at three levels, a track-like test."""
+    """Displacement of each log [m]: a sweep at the highest speed, sines at three levels, a track-like test."""
     t = np.arange(int(30 * RATE)) / RATE
     rise = np.log(20.0 / 0.3) / t[-1]
     frequency = 0.3 * np.exp(rise * t)
     logs = {"sweep": np.minimum(5e-3, 0.06 / (2 * np.pi * frequency)) * np.sin(2 * np.pi * (frequency - 0.3) / rise)}
     for f in (1, 3, 5):
         levels = np.array([0.3e-3, 1.0e-3, min(5e-3, 0.1 / (2 * np.pi * f))])
-        level = np.interp(t, [0, 9, 10, 19, 20, 30], levels.repeat(2))  # a second from one to the next
+        level = np.interp(t, [0, 9, 10, 19, 20, 30], levels.repeat(2))  # one second of transition between levels
         logs[f"sinus_{f}Hz"] = level * np.sin(2 * np.pi * f * t)
     rng = np.random.default_rng(5)
     lines = rng.uniform(0.3, 8.0, 30)
@@ -61,12 +61,12 @@ def dahl(z, limit=250.0, length=0.15e-3):
 
 
 def stop(z):
-    """3 kN/mm beyond 4 mm to both sides."""
+    """A stop of 3 kN/mm beyond 4 mm on both sides."""
     return 3e6 * np.sign(z) * np.maximum(np.abs(z) - 4e-3, 0.0)
 
 
 def warm(z, force):
-    """The force falls by 1 % per 15 J that are in the rubber, which go with 120 s."""
+    """The force falls by 1 % per 15 J of heat in the rubber, which decays with a time constant of 120 s."""
     loss = np.cumsum(force * np.gradient(z))
     heat, decay = np.zeros_like(z), np.exp(-1.0 / (RATE * 120.0))
     smooth = np.convolve(np.diff(loss, prepend=0.0), np.full(int(RATE), 1.0 / RATE), "same")

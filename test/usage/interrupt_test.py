@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Tests of Ctrl-C: whatever a command writes is there completely or not at all, and nothing else is left.
+"""Tests of Ctrl-C: a command writes each file completely or not at all, and leaves no other files.
 
 Usage: interrupt_test.py FOLDER_OF_THE_COMMANDS
 
-Each command runs once to its end, then again and again until SIGINT reaches it and what it has started, as a terminal
-sends it: at even shares of its time, and as soon as it has begun to write.
+Each command runs once to its end, and then repeatedly until SIGINT reaches it and its child processes, as from a
+terminal: after given shares of its time, and as soon as it begins to write.
 """
 import importlib.util
 import json
@@ -23,11 +23,11 @@ import unittest
 from usage_test import CONFIG, PROGRAMS, SHEET
 
 SCRIPTS = CONFIG.parent / "scripts"
-SHARES = (0.3, 0.8)  # of the time that the command takes
+SHARES = (0.3, 0.8)  # of the duration of the command
 SAMPLES = 20_000
 
 # Commands that end by themselves, in a folder with component.yaml, log.csv (long), short.csv, run.bag, half_bogie.yaml,
-# sheet.yaml, jobs.yaml and campaign, a campaign that is worked off; what they write goes to `out`.
+# sheet.yaml, jobs.yaml and campaign, a completed campaign; they write to `out`.
 CALLS = (
     "bag_to_csv --log run.bag --output out/run.csv",
     "csv_to_bag --component bush --log log.csv --output out/run.bag",
@@ -67,7 +67,7 @@ def start(line, folder):
 
 
 def files_in(folder):
-    """Sizes of the files; one that a running program renames between listing and asking is left out."""
+    """Return the sizes of files, without any that a running program renames meanwhile."""
     sizes = {}
     for path in folder.rglob("*"):
         try:
@@ -79,7 +79,7 @@ def files_in(folder):
 
 
 def is_complete(path, size):
-    """A file of this name that a whole run has made with this size; the dates in reports differ."""
+    """Check a file against the size of the same file of a complete run; reports differ in their dates."""
     if path.suffix == ".html":
         return path.read_text(encoding="utf-8").rstrip().endswith("</html>")
     if path.suffix == ".json":
@@ -121,7 +121,7 @@ class Interrupt(unittest.TestCase):
         (self.folder / "out").mkdir()
 
     def interrupt(self, line, when):
-        """Run until `when(process)`, then Ctrl-C."""
+        """Run a command until `when(process)` returns, then send Ctrl-C; return the exit status."""
         process = start(line, self.folder)
         when(process)
         try:
@@ -139,7 +139,7 @@ class Interrupt(unittest.TestCase):
                 self.assertTrue(is_complete(self.folder / path, reference[path]), f"{line}: {path} is cut off")
         for path, size in before.items():
             if path.suffix == ".html" and not (self.folder / path).exists():
-                continue  # the page of the data before is removed before new data appear, and drawn after them
+                continue  # an old page is removed before new data are written, and the new page is drawn afterwards
             self.assertTrue(is_complete(self.folder / path, reference.get(path, size)), f"{line}: {path} is damaged")
 
     def begins_to_write(self, known):
@@ -154,7 +154,7 @@ class Interrupt(unittest.TestCase):
             if not program(line.split()[0]).exists():  # half_bogie needs Simbody
                 continue
             if "reproduce_paper" in line and not importlib.util.find_spec("rubber_suspension_core"):
-                continue  # built without the Python module
+                continue  # no Python module was built
             with self.subTest(line):
                 self.empty()
                 before = files_in(self.folder)
@@ -163,7 +163,7 @@ class Interrupt(unittest.TestCase):
                 duration = time.monotonic() - begin
                 reference = files_in(self.folder)
                 self.assertTrue(set(reference) - set(before) or "collect" in line, "nothing was written")
-                # What was there before stays, or is replaced.
+                # Existing files stay or are replaced.
                 self.check(line, reference, reference, self.interrupt(line, self.begins_to_write(set(reference))))
                 for share in SHARES:
                     self.empty()
@@ -181,7 +181,7 @@ def free_port():
 
 
 class InterruptPlayback(unittest.TestCase):
-    """Of what is played, all that was answered is recorded, in whole rows."""
+    """Recordings of a playback contain whole rows for all samples that were answered."""
 
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -203,7 +203,7 @@ class InterruptPlayback(unittest.TestCase):
         return process
 
     def interrupt(self, *words):
-        """Ctrl-C once it has begun to write and has played for a second; what it says."""
+        """Send Ctrl-C a second after the program has begun to write; return its stderr."""
         process = self.start(*words, stderr=subprocess.PIPE)
         out = self.folder / "out"
         end = time.monotonic() + 60

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Tests of what a power cut or kill -9 leaves of state files, reports, component files and a campaign's records.
+"""Tests of state files, reports, component files and records of a campaign after a power cut or kill -9.
 
 Usage: power_cut_test.py FOLDER_OF_THE_COMMANDS [KILLS]
 
-By strace: each file is on the disk before it takes its name, and its folder after that. By kill -9 at random moments:
-every file that has its name is whole, the old one or the new one.
+With strace: each file is on the disk before it is renamed, and its folder after that. With kill -9 at random moments:
+every file under its final name is complete, the old one or the new one.
 """
 import os
 import pathlib
@@ -32,13 +32,13 @@ TRACED = ("strace", "-f", "-y", "-qq", "-s", "4096", "-e", "trace=fsync,rename",
 
 
 def unsynced(trace):
-    """Of each rename: the file, unless fsync went over it before and over its folder after it. And how many there were."""
+    """Return the renamed files without fsync of the file before or of its folder after, and all renamed files."""
     calls = [line.split(" ", 1)[1].strip() for line in trace.read_text().splitlines()]
     synced = [re.match(r"fsync\(\d+<([^>]*)>\) += 0", call) for call in calls]
     wrong, renamed = [], []
     for i, call in enumerate(calls):
         match = re.match(r'rename\("([^"]*)", "([^"]*)"\) += 0', call)
-        if not match or match[1].endswith(".new"):  # a campaign's sign of life, of no use after a power cut
+        if not match or match[1].endswith(".new"):  # a campaign's heartbeat, useless after a power cut
             continue
         written, target = match.groups()
         renamed.append(os.path.basename(target))
@@ -94,7 +94,7 @@ class PowerCut(unittest.TestCase):
         wrong, renamed = unsynced(trace)
         self.assertEqual(wrong, [])
         self.assertIn(state.name, renamed)
-        os.killpg(node.process.pid, signal.SIGKILL)  # strace and what it follows
+        os.killpg(node.process.pid, signal.SIGKILL)  # strace and the node
 
     def test_a_kill_leaves_old_or_new(self):
         lines = (DIAGNOSE, REPLAY, CAMPAIGN)

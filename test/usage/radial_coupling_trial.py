@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""Diagnoses x of bushes of which some act by the radius of x and y, in a form that no element has.
+"""Diagnoses x of bushes, some of which have a force by the radius of x and y in a form that no element has.
 
 Usage: radial_coupling_trial.py FOLDER_OF_THE_COMMANDS [--benches 20] [--others 30] [--seed 1]
 
-Each bench has a spring, two Maxwell elements, sliders with a round limit, noise, and is measured in three logs in which x, y and z move
-apart. Of the coupled ones the radial force stiffens by a power, a hyperbolic sine, a tangent or a chain that locks, times a smooth random
-factor of 10 to 30 %; half of their models have no stiffening at all, half have that of each direction alone. Others lack something else or
-nothing. The trial fails if radial_coupling is named first on fewer than nine in ten coupled benches, or at all on another one.
+Each bench has a spring, two Maxwell elements, sliders with a round limit and noise, and is measured in three logs in
+which x, y and z move independently. On coupled benches the radial force stiffens by a power, a hyperbolic sine, a
+tangent or a chain that locks, times a smooth random factor of 10 to 30 %; half of their models have no stiffening, the
+others have that of each direction alone. Other benches lack something else or nothing. The trial fails if
+radial_coupling is named first on fewer than nine in ten coupled benches, or at all on another one.
 """
 import argparse
 import concurrent.futures
@@ -31,7 +32,7 @@ FORMS = {
 
 
 def motion(rng, amplitude):
-    """Frequency and amplitude change slowly, up to some 6 Hz."""
+    """Return a motion whose frequency and amplitude change slowly, up to some 6 Hz."""
     time = STEP * np.arange(SAMPLES)
     frequency = 3.5 + 2.5 * np.sin(rng.uniform(0.6, 1.0) * time + rng.uniform(0.0, 6.0))
     envelope = 0.55 + 0.45 * np.sin(rng.uniform(0.9, 1.4) * time + rng.uniform(0.0, 6.0))
@@ -48,7 +49,7 @@ def maxwell(z, stiffness, frequency):
 
 
 def sliders(path, yields, stiffness, is_round):
-    """Force of sliders in parallel; their limits are round, or of each direction alone."""
+    """Return the force of sliders in parallel, with round limits, or limits for each direction alone."""
     stretch, force = np.zeros((len(yields), 2)), np.zeros_like(path)
     for i in range(1, len(path)):
         stretch += path[i] - path[i - 1]
@@ -59,7 +60,7 @@ def sliders(path, yields, stiffness, is_round):
 
 
 def radial_form(rng):
-    """h(r) of a force h(r) (x, y), in no unit: a form of the list times a smooth random factor."""
+    """Return h(r) of a force h(r) (x, y), without unit, and its name: a form times a smooth random factor."""
     name = rng.choice(sorted(FORMS))
     p, error = rng.uniform(), rng.uniform(0.1, 0.3)
     waves, phases = rng.uniform(1.0, 5.0, 3), rng.uniform(0.0, 2.0 * np.pi, 3)
@@ -73,7 +74,7 @@ def radial_form(rng):
 
 
 class Bench:
-    """Draws a bush and its three logs; the model is what its maker knows of it."""
+    """A random bush with its model as the manufacturer knows it, and three logs."""
 
     def __init__(self, rng, kind):
         self.kind, self.form = kind, ""
@@ -129,7 +130,7 @@ class Bench:
 
 
 def lacking(kind, path):
-    """What x or y has that the model has not, in no unit."""
+    """Return the force in x or y that the model lacks, without unit."""
     x, y, z = path.T / LARGEST
     if kind in ("progressive_stiffness", "stiffening of y"):
         s = 2.0 * (y if kind == "stiffening of y" else x)
@@ -156,7 +157,7 @@ def table(points, forces):
 
 
 def diagnose(programs, seed, kind):
-    """The effects that are named in x."""
+    """Diagnose a bench; return it with the verdict, the effects named in x and the gaps."""
     bench = Bench(np.random.default_rng(seed), kind)
     with tempfile.TemporaryDirectory(prefix="radial.") as scratch:
         folder = pathlib.Path(scratch)

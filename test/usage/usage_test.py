@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Tests of what commands say of their options: those without an effect are refused, misspelt ones named, odd values warned
-of; all in one line on stderr. And of the examples in their help, which work as printed.
+"""Tests of messages on options: those without effect are refused, misspelt ones named, odd values cause a warning, each
+in one line on stderr. The examples in the help work as printed.
 
 Usage: usage_test.py FOLDER_OF_THE_COMMANDS
 """
@@ -19,7 +19,7 @@ BUSH = str(CONFIG / "diagnosis_example" / "component.yaml")
 LOG = str(CONFIG / "diagnosis_example" / "log_1_sweep.csv")
 WRONG_USAGE = 2
 
-# Command line, and what its one line on stderr has to say.
+# Command line, and words of its single line on stderr.
 REFUSED = (
     ("estimate --data-sheet x.yaml --csv x.csv", "--csv has no effect with --data-sheet"),
     ("estimate --data-sheet x.yaml --component a", "--component has no effect with --data-sheet"),
@@ -42,7 +42,7 @@ REFUSED = (
     (f"replay --config {BUSH} --log {LOG} --output o --sampling-rate 0", "out of range; accepted: greater than 0"),
     (f"replay --config {BUSH} --log {LOG} --output o --unit mm,kN", "accepted: QUANTITY=UNIT"),
     (f"replay --config {BUSH} --log {LOG} --output o --decimal ;", "accepted: , or . (comma or point)"),
-    # What was meant.
+    # The messages suggest what was meant.
     (f"replay --confg {BUSH} --log {LOG}", "no option --confg (did you mean --config?)"),
     (f"estimate {BUSH}", f"accepted: --config {BUSH}"),
     (f"replay --config {BUSH} --log {LOG} --output o --rate 9", "no option --rate (did you mean --sampling-rate?)"),
@@ -72,10 +72,10 @@ class Usage(unittest.TestCase):
                 self.assertEqual(answer.stderr.count("\n"), 1)
 
 
-# Commands whose examples need neither a node nor minutes, in an order in which each finds what those before have written.
+# Commands whose examples need no node and take no minutes, in an order in which each finds the output of earlier ones.
 EXEMPLIFIED = ("csv_to_bag", "bag_to_csv", "replay", "export", "estimate", "diagnose",
                "campaign", "reference", "half_bogie")
-ELSEWHERE = ("man -l", "--forces topics")  # a program that may not be installed, and a node
+ELSEWHERE = ("man -l", "--forces topics")  # examples that need a program that may not be installed, or a node
 SHEET = ("data_sheet:\n  component: bush\n  load: compression\n  shore_a: 60\n  loaded_area: 100 cm^2\n"
          "  layer_thickness: 20 mm\n  shape_factor: 1.25\n  dynamic_to_static_ratio: 1.4\n  nominal_frequency: 4 Hz\n"
          "  loss_angle: 5.7 deg\n")
@@ -83,7 +83,7 @@ JOBS = "jobs:\n  one:\n    command: replay\n    config: component.yaml\n    log:
 
 
 def examples_of(command):
-    """The calls that --help prints."""
+    """Return the calls that --help prints."""
     answer = subprocess.run([PROGRAMS / command, "--help"], capture_output=True, text=True, timeout=60, check=True)
     text = answer.stdout.partition("\nExamples:\n")[2].replace("\\\n", " ")
     return [line.strip() for line in text.splitlines() if not line.startswith("  #")]
@@ -125,7 +125,7 @@ class Folders(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             descriptor = os.open(folder, os.O_RDONLY)
             try:
-                fcntl.flock(descriptor, fcntl.LOCK_EX)  # as a run that is under way
+                fcntl.flock(descriptor, fcntl.LOCK_EX)  # as by a run in progress
                 answer = run(f"diagnose --config {BUSH} --log {LOG} --output {folder}")
             finally:
                 os.close(descriptor)
@@ -165,7 +165,7 @@ class Warnings(unittest.TestCase):
         self.assertNotIn("warning", usual.stderr)
 
     def test_of_millimetres_in_a_column_of_metres(self):
-        # Each displacement of the example, a log in mm and kN, as if it were in m.
+        # Displacements of the example, a log in mm and kN, are read as metres.
         text = pathlib.Path(LOG).read_text(encoding="utf-8")
         self.assertIn("displacement_mm", text)
         odd = self.write("odd.csv", text.replace("displacement_mm", "displacement_m", 1))
