@@ -1,4 +1,4 @@
-// Bags as logs: there and back bit by bit, parts without force, several components, damaged and misleading files.
+// Logs in bags: written and read back bit by bit, without force, with several components, damaged and misleading files.
 #include "bag/bag_log.h"
 
 #include <geometry_msgs/PoseStamped.h>
@@ -50,12 +50,12 @@ TEST_F(BagLog, ReadsBackBitByBit) {
   EXPECT_EQ(bag::readAnyLog(path("a.bag")).displacement, log().displacement);
 }
 
-// Where the disk is full, closing fails a second time, in a destructor.
+// On a full disk, closing the bag fails again in the destructor, which must not throw.
 TEST_F(BagLog, AFullDiskIsAnErrorAndLeavesNothing) {
   EXPECT_THROW(bag::writeBagLog("/dev/full", "bush", log()), log::LogError);
 }
 
-// What is whole can be saved.
+// The error of a bag that is cut off names the command that recovers its complete part.
 TEST_F(BagLog, ABagThatIsCutSaysWhereAndWhatSavesIt) {
   const std::string file = path("a.bag");
   bag::writeBagLog(file, "bush", log());
@@ -74,7 +74,7 @@ TEST_F(BagLog, TemperatureHoldsUntilTheNext) {
   EXPECT_TRUE(read.notes.empty());
 }
 
-// What the node refuses is left out; samples before the first temperature take that one, with a note.
+// Temperatures that the node would refuse are omitted; samples before the first one use it, with a note.
 TEST_F(BagLog, TemperatureOfItsOwnStamps) {
   const std::string file = path("a.bag");
   {
@@ -154,7 +154,7 @@ TEST_F(BagLog, ASlowForceIsComparedWhereItIs) {
   }
 }
 
-// Forces at stamps of their own, 100 ppm fast and at another rate; a straight line is interpolated exactly.
+// Forces have stamps of their own, at another rate and 100 ppm fast; a straight line is interpolated exactly.
 TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
   constexpr int kSamples = 200;
   constexpr std::int64_t kInterval = 1000000;
@@ -163,7 +163,7 @@ TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
   for (std::int64_t i = 0; i < kSamples; ++i) {
     writer.writeDisplacement((i + 1) * kInterval, 1e-3);
     const std::int64_t stamp = 700003 + i * 800080;
-    if (i < 100 || i > 103) {  // between these the samples are too far apart
+    if (i < 100 || i > 103) {  // without these, the forces are too far apart to interpolate
       writer.writeMeasuredForce(stamp, line(stamp));
     }
   }
@@ -176,7 +176,7 @@ TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
     const bool beyond = read.stamp[i] > 700003 + 199 * 800080;
     ASSERT_EQ(read.counts[i], between || beyond ? 0.0 : 1.0) << i;
     if (read.counts[i] > 0.0) {
-      EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // some rounding steps
+      EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // some roundings
     }
   }
 }
@@ -188,7 +188,7 @@ TEST_F(BagLog, AWriterThatIsNotClosedLeavesAnOlderBag) {
     writer.writeDisplacement(1000000, 1.0);
   }
   EXPECT_EQ(bag::readBagLog(path("a.bag")).displacement, log().displacement);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.folder()), {}), 2);  // and the file `keep`
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.folder()), {}), 2);  // with the file `keep`
 }
 
 TEST_F(BagLog, IsToldByItsContent) {
@@ -220,7 +220,7 @@ TEST_F(BagLog, RefusesStampsThatDoNotIncrease) {
   writer.writeDisplacement(1000, 0.0);
   writer.writeDisplacement(3000, 0.0);
   writer.close();
-  // A bag is read in the order of its recording, here that of the stamps; so it takes two equal ones to go wrong.
+  // A bag is read in the order of recording, which here equals that of the stamps, so only equal stamps are refused.
   EXPECT_EQ(bag::readBagLog(path("a.bag")).size(), 3U);
   bag::BagWriter twice(path("b.bag"), "bush");
   twice.writeDisplacement(1000, 0.0);
@@ -229,7 +229,7 @@ TEST_F(BagLog, RefusesStampsThatDoNotIncrease) {
   EXPECT_THAT(refusal(path("b.bag")), HasSubstr("message 2 on /bush/displacement"));
 }
 
-// Of messages that are received in this order, 1 ms apart.
+// A bag with messages of these stamps, which are received in this order, 1 ms apart.
 class BagStamps : public BagLog {
  protected:
   std::string write(const std::vector<double>& stamps) const {
@@ -272,7 +272,7 @@ TEST_F(BagStamps, OfOneMessageWithoutLeaveItOut) {
   EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("1 of 4 messages have the stamp 0: left out")));
 }
 
-// Two runs in one bag are not mixed.
+// The bag contains two runs, which must not be mixed.
 TEST_F(BagStamps, ThatBeginAnewAreRefused) {
   EXPECT_THAT(refusal(write({10.0, 11.0, 12.0, 10.5, 11.5})), HasSubstr("message 4 on /bush/displacement"));
 }
@@ -294,7 +294,7 @@ TEST_F(BagLog, RefusesWhatIsNoBag) {
   EXPECT_THAT(refusal(path("empty.bag")), HasSubstr(path("empty.bag")));
 }
 
-// Truncated anywhere, or with a byte changed anywhere in what rosbag trusts, a bag is read or refused, never worse.
+// A bag that is cut off, or has a changed byte in what rosbag relies on, is read or refused without a crash.
 TEST_F(BagLog, SurvivesDamage) {
   bag::writeBagLog(path("a.bag"), "bush", log());
   const std::string whole = contentOf(path("a.bag"));
@@ -302,13 +302,13 @@ TEST_F(BagLog, SurvivesDamage) {
     std::ofstream(path("damaged.bag"), std::ios::binary) << bytes;
     try {
       bag::readBagLog(path("damaged.bag"));
-    } catch (const log::LogError&) {  // refused with its reason, which is what damage deserves
+    } catch (const log::LogError&) {  // the bag may also be read
     }
   };
   for (std::size_t size = 0; size < whole.size(); size += 197) {
     attempt(whole.substr(0, size));
   }
-  const std::size_t index = whole.find("op=\x04");  // behind the only chunk
+  const std::size_t index = whole.find("op=\x04");  // after the only chunk
   ASSERT_NE(index, std::string::npos);
   for (const char mask : {'\x01', '\x55', '\x80'}) {
     for (std::size_t place = 0; place < whole.size(); place += place < index - 100 ? 211 : 1) {
@@ -319,7 +319,7 @@ TEST_F(BagLog, SurvivesDamage) {
   }
 }
 
-// Poses of a bag, with a wrench for all but the first, and a quaternion's length.
+// A bag with five poses, a wrench for all but the first, and quaternions of the given length.
 class BagPoses : public BagLog {
  protected:
   static Eigen::Quaterniond rotationOf(int sample) {
@@ -370,7 +370,7 @@ TEST_F(BagPoses, HaveTheWrenchesOfTheirStamps) {
   EXPECT_THAT(log.notes, testing::ElementsAre(HasSubstr("4 of 5 samples have a force")));
 }
 
-// The node takes the quaternions as they are: so does what simulates the bag.
+// The node does not normalise quaternions, nor does the simulation of a bag.
 TEST_F(BagPoses, AreSimulatedAsTheNodeDoesToTheLastBit) {
   component::SixDirectionsLaws laws;
   for (auto& elements : laws.elements) {

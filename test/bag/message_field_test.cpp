@@ -1,4 +1,4 @@
-// Numbers of messages of other packages, by the path that users of rosbag and PlotJuggler write.
+// Numbers in messages of other packages are named by paths as in rosbag and PlotJuggler.
 #include "bag/message_field.h"
 
 #include <geometry_msgs/WrenchStamped.h>
@@ -21,7 +21,7 @@ constexpr int kMessages = 50;
 double displacementAt(int i) { return 1e-3 * std::sin(0.2 * i); }
 ros::Time stampAt(int i) { return ros::Time(100, 0) + ros::Duration(0.01 * i); }
 
-// A bench of another package: a force sensor, joints with the displacement as the second, a load cell without stamps.
+// A bag of another package: a force sensor, joints (the second is the displacement), a load cell without stamps.
 void writeForeignBag(const std::string& path) {
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   for (int i = 0; i < kMessages; ++i) {

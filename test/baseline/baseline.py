@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Compares two builds of the package on folders of cases, run by turns: what they conclude, the evidence, the forces of
-# `replay` and of the node, CPU time and memory. A change that should alter nothing is held against the build before it.
+# Compares two alternately run builds of the package on folders of cases: conclusions, evidence, forces of `replay` and
+# of the node, CPU time and memory. A change that should have no effect is compared with the build before it.
 """Compare an old and a new build on folders of cases.
 
 A case is a folder with component.yaml and either case.json (component, logs, hold_out or table, as the generators of
@@ -21,7 +21,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 from run import description, run_one  # noqa: E402
 
-NODE_PORT = 11411  # of the master that a played log starts; not ROS's own, which another bench may use
+NODE_PORT = 11411  # port of the master for a played log; another bench may use that of ROS
 CONCLUSION = ("verdict", "effects", "confounded", "gap", "closed", "candidates")
 
 
@@ -37,7 +37,7 @@ class Build:
 
 
 def cases_of(folders):
-    """The cases in each folder, or the folder itself where it is one."""
+    """Yield the cases in each folder, or the folder itself if it is one."""
     for folder in folders:
         inner = sorted(os.path.dirname(p) for p in glob.glob(os.path.join(folder, "*", "component.yaml")))
         found = inner or [folder] * os.path.isfile(os.path.join(folder, "component.yaml"))
@@ -47,7 +47,7 @@ def cases_of(folders):
 
 
 def differences(old, new, path=""):
-    """Yields (path, relative difference) of numbers, (path, inf) of anything else; keys that only `new` has are free."""
+    """Yield (path, relative difference) of numbers, (path, inf) of other values; ignore keys that only `new` has."""
     if isinstance(old, dict) and isinstance(new, dict):
         for key, value in old.items():
             yield from differences(value, new[key], f"{path}.{key}") if key in new else [(f"{path}.{key}", math.inf)]
@@ -67,7 +67,7 @@ def read_json(path):
 
 
 def compare(old, new, tolerance):
-    """None where two values agree; else what differs most."""
+    """Return None if two values agree, otherwise the largest difference."""
     found = [d for d in differences(old, new) if d[1] > tolerance]
     if not found:
         return None
@@ -76,7 +76,7 @@ def compare(old, new, tolerance):
 
 
 def replay(build, case, folder, output):
-    """The forces that `replay` writes for each log, as bytes by log."""
+    """Return the forces that `replay` writes, as bytes by log."""
     forces = {}
     for log in case.get("logs", []) + case.get("hold_out", []):
         path = os.path.join(output, f"replay_{os.path.basename(log)}.csv")
@@ -87,7 +87,7 @@ def replay(build, case, folder, output):
 
 
 def play(build, case, folder, output):
-    """The forces with which a running node answers the first log."""
+    """Return the forces with which a running node answers the first log."""
     records = os.path.join(output, "node")
     launch = ["roslaunch", "-p", str(NODE_PORT), "rubber_suspension", "bench.launch", "plot:=false",
               "playback_speed:=0", f"config:={os.path.join(folder, 'component.yaml')}",
@@ -99,7 +99,7 @@ def play(build, case, folder, output):
 
 
 def run(command, expected):
-    """Runs a command; what it says is shown only if the expected file is missing afterwards."""
+    """Run a command; print the end of its output if it fails without the expected file."""
     result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     if result.returncode != 0 and not os.path.exists(expected):
         print(result.stdout.decode(errors="replace")[-500:], file=sys.stderr)
@@ -113,7 +113,7 @@ def content(path):
 
 
 def run_case(builds, folder, output, options):
-    """Both builds on one case; returns what differs, and CPU seconds and memory of each build."""
+    """Run both builds on one case; return the differences, and CPU seconds and memory of each build."""
     case = description(folder)
     found, costs = {}, {}
     for build in builds:
@@ -165,7 +165,7 @@ def main():
 
 
 def summary(costs, different, with_node):
-    """Prints medians of both builds and what differs; returns the exit status."""
+    """Print medians of both builds and the differences; return the exit status."""
     print(f"\n{len(costs)} cases")
     for index, what, scale in ((0, "CPU [s]", 1.0), (1, "peak memory [MiB]", 2.0 ** -20)):
         old, new = ([cost[name][index] * scale for cost in costs] for name in ("old", "new"))

@@ -1,4 +1,4 @@
-"""Tests of the comparison of two builds, with programs that write given files in place of real ones."""
+"""Tests of the comparison of two builds, with programs that write given files instead of real ones."""
 import contextlib
 import io
 import json
@@ -23,13 +23,13 @@ REPORT = {"verdict": "named", "effects": ["friction"], "gap": {"augmented": 0.02
 
 
 class BaselineTest(unittest.TestCase):
-    """Two cases of a bench, an old build and a new one."""
+    """An old and a new build with two cases of a bench."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="rubber_suspension_baseline_")
         self.addCleanup(scratch.cleanup)
         self.folder = scratch.name
-        for case in ("cases/one", "cases/two"):  # of which the second runs the new build first
+        for case in ("cases/one", "cases/two"):  # the second case runs the new build first
             self.write(f"{case}/component.yaml", "components:\n  bush:\n    model: elements\n")
             self.write(f"{case}/log_1.csv", "time_s,displacement_m,force_N\n")
         for build in ("old", "new"):
@@ -51,7 +51,7 @@ class BaselineTest(unittest.TestCase):
         self.write(given + "force.csv", force)
 
     def compared(self, *more):
-        """Exit status of the script and what it prints."""
+        """Return exit status and output of the script."""
         printed = io.StringIO()
         arguments = ["baseline.py", os.path.join(self.folder, "cases"), "--old", os.path.join(self.folder, "old"), "--new",
                      os.path.join(self.folder, "new"), "--output", os.path.join(self.folder, "output"), *more]

@@ -1,6 +1,5 @@
 #!/usr/bin/python3
-"""Tests of the command rubber-suspension, of its completion in bash and of its man pages, and of the script that makes
-them.
+"""Tests of the command rubber-suspension, its completion in bash, its man pages, and the script that generates them.
 
 Usage: dispatcher_test.py FOLDER_WITH_IT FOLDER_OF_THE_PAGES VERSION COMMAND...
 """
@@ -25,7 +24,7 @@ def run(*arguments, program=PROGRAM):
 
 
 def completions(*words):
-    """What bash offers for the last of these words."""
+    """Return bash's completions of the last word."""
     script = 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); compopt() { :; }; _rubber_suspension; ' \
              'printf "%s\\n" "${COMPREPLY[@]}"'
     answer = subprocess.run(["bash", "-c", script, "bash", PAGES / "rubber-suspension", str(PROGRAM), *words],
@@ -34,7 +33,7 @@ def completions(*words):
 
 
 def rosrun_completions(*words):
-    """The same behind rosrun, in a shell that has read setup.sh and nothing else."""
+    """Return the completions after rosrun, in a shell that has read only setup.sh."""
     script = '. "$1"; shift; function=$(complete -p rosrun | sed -E "s/.* -F ([^ ]+) .*/\\1/"); compopt() { :; }; ' \
              'COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); "$function" rosrun; printf "%s\n" "${COMPREPLY[@]}"'
     answer = subprocess.run(["bash", "--norc", "-c", script, "bash", PROGRAM.parents[1] / "setup.sh", "rosrun", *words],
@@ -144,7 +143,7 @@ Examples:
 
 
 class Script(unittest.TestCase):
-    """What cmake/command_pages.py makes of the help of one command."""
+    """Output of cmake/command_pages.py for the help of one command."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,4 +1,4 @@
-// Basic laws of random numbers, each stepped by itself through the interface that all laws have, and random paths.
+// Basic laws with random parameters, each stepped by itself through the common interface of laws, and random paths.
 #pragma once
 
 #include "element/driver.h"
@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::test {
 
-/// A spring, a dashpot or none, Maxwell elements (up to two blocks of eight, and some) and elements of friction.
+/// A spring, at most one dashpot, up to 20 Maxwell elements (more than two blocks of eight), and some friction.
 class LawsOneByOne {
  public:
   LawsOneByOne(std::mt19937& random, unsigned most_frictions) {
@@ -60,7 +60,7 @@ class LawsOneByOne {
     element::ComponentForce force;
     double* memory = memory_.data();
     for (std::size_t i = 0; i < laws_.size(); ++i) {
-      // The gain c/dt times the increment, as the sum has it, and not c times the rate: the last bit may differ.
+      // The kernel multiplies the gain c/dt by the increment, which may differ from c times the rate in the last bit.
       const bool is_gain = motion != nullptr && entries_[i].type == "dashpot";
       const double own =
           is_gain ? entries_[i].value("damping") / motion->dt * motion->increment : action(*laws_[i], memory);
@@ -78,8 +78,8 @@ class LawsOneByOne {
   std::vector<double> memory_;
 };
 
-/// A path that goes on for a while, reverses, rests and jitters; steps from small to far beyond all relaxation times,
-/// often alike.
+/// A path that moves on, reverses, rests and jitters. Steps range from short to far beyond all relaxation times, and
+/// are often equal.
 class RandomPath {
  public:
   explicit RandomPath(std::mt19937& random) : random_(random) {}
@@ -112,7 +112,7 @@ class RandomPath {
   double velocity_ = 1e-5;
 };
 
-/// Numbers for a memory that no path leads to, such as a reference point of friction ahead of the motion.
+/// Returns a memory that no path leads to, for example with a reference point of friction ahead of the motion.
 inline std::vector<double> madeUp(std::vector<double> memory, RandomPath& path) {
   for (double& number : memory) {
     number *= path.uniform(-1.0, 1.0);

@@ -1,4 +1,4 @@
-// Maxwell elements side by side against the law, one by one: the same bits, on any processor.
+// Maxwell elements in vectors have the same bits as the law one by one, on any processor.
 #include "kernel/maxwell_forces.h"
 
 #include "rubber_suspension/element/maxwell.h"
@@ -18,7 +18,7 @@ TEST(MaxwellForces, AreTheBitsOfTheLawOnAnyProcessor) {
     for (double& z : displacement) {
       z = 1e-3 * uniform(random);
     }
-    for (std::size_t count = 0; count <= 18; ++count) {  // up to two vectors of eight, and some
+    for (std::size_t count = 0; count <= 18; ++count) {  // more than two vectors of eight
       element::BasicLaws laws;
       std::vector<element::Maxwell> elements;
       for (std::size_t e = 0; e < count; ++e) {

@@ -1,4 +1,4 @@
-// Checks of many samples at once: one that breaks the rule is seen wherever it stands.
+// Checks of many samples at once find a sample that violates the rule at any place.
 #include "kernel/sample_checks.h"
 
 #include "support/on_any_processor.h"
@@ -7,7 +7,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-constexpr std::size_t kMost = 40;  // more than two of the widest vectors, and a rest
+constexpr std::size_t kMost = 40;  // two of the widest vectors, and a remainder
 constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kSmallest = std::numeric_limits<std::int64_t>::min();
 

@@ -1,4 +1,4 @@
-// Stress softening by several laws at once against the laws one by one.
+// Stress softening by several laws at once agrees with the laws one by one.
 #include "kernel/softening_bank.h"
 
 #include "rubber_suspension/element/catalogue.h"
@@ -30,7 +30,7 @@ element::ElementDescription randomLaw(std::mt19937& random) {
   return element::complete(law);
 }
 
-// Product of their factors over a random walk with rests, by the bank, and by the laws themselves.
+// Computes the product of the factors over a random walk with rests, by the bank and by its laws.
 void walk(unsigned seed, std::vector<double>& by_bank, std::vector<double>& by_laws) {
   std::mt19937 random(seed);
   kernel::SofteningBank bank;

@@ -1,4 +1,4 @@
-// What the benchmark makes of its runs: quantiles of round trips, medians of ratios, the table.
+// Evaluation of the runs of the benchmark: quantiles of round trips, medians of ratios, the table.
 #include "benchmark/latency/latency_benchmark.h"
 
 #include <unistd.h>

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Starts launch files as a user does, with no more than the arguments that have no default, and looks at what they write.
+"""Starts launch files with only the arguments that have no default, as a user does, and checks the written files.
 
     launch_test.py FOLDER_OF_LAUNCH_FILES [TEST ...]    # in an environment in which roslaunch finds the package
 """
@@ -18,7 +18,7 @@ import rospy
 from geometry_msgs.msg import PoseStamped
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "wire"))
-import tcpros  # noqa: E402: the port of a master that nobody else has
+import tcpros  # noqa: E402: provides a free port for the master
 
 SAMPLES = 200
 LAUNCH = ""
@@ -35,7 +35,7 @@ BUSH = """components:
 
 
 def program(command):
-    """As rosrun would, which looks into no folder build/ of the package."""
+    """Return a program as rosrun finds it, which does not search the folder build/ of the package."""
     spaces = [pathlib.Path(space) for space in os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)]
     return next(path for path in (space / "lib" / "rubber_suspension" / command for space in spaces) if path.exists())
 
@@ -50,7 +50,7 @@ class Launch(unittest.TestCase):
         self.log.write_text("time_s,displacement_m\n" + "".join(rows))
 
     def launch(self, name, **arguments):
-        """Ends with its required node, whose status roslaunch does not pass on; returns all that was said."""
+        """Run until the required node ends, whose status roslaunch does not pass on; return all output."""
         environment = {**os.environ, "ROS_HOME": str(self.folder / "ros_home")}
         words = [f"{key}:={value}" for key, value in arguments.items()]
         done = subprocess.run(["roslaunch", "-p", str(tcpros.free_port()), os.path.join(LAUNCH, name), *words],
@@ -71,11 +71,11 @@ class Launch(unittest.TestCase):
             said = self.launch("replay.launch", config=config, component="left_secondary", log=self.log, output=output, **more)
             forces = self.forces(output, said, "force_N")
             self.assertEqual(len(forces), SAMPLES, said)
-            self.assertGreater(max(forces), 300.0)  # of 0.1 mm of 4.2 kN/mm
+            self.assertGreater(max(forces), 300.0)  # 0.1 mm at 4.2 kN/mm
             self.assertEqual(bag.exists(), bool(more), said)
 
     def test_replay_reads_as_it_is_told(self):
-        """The second of two logs in a file, whose numbers may have decimals or thousands, and one of which is missing."""
+        """The second of two logs in a file, whose numbers may have decimals or thousands; one value is missing."""
         config, log, output = (self.folder / name for name in ("components.yaml", "two.csv", "forces.csv"))
         config.write_text(CONFIG)
         head = "Time [ms];Travel [um]\n"
@@ -89,7 +89,7 @@ class Launch(unittest.TestCase):
         self.assertAlmostEqual(displacements[0], 2.0e-6, delta=1e-12)
 
     def test_bench_plays_poses(self):
-        """Text and bag of a component of six directions: the node's wrenches are those of replay, to the last bit."""
+        """Text and bag of a component of six directions: the node has the wrenches of replay to the last bit."""
         config, text, bag = (self.folder / name for name in ("bush.yaml", "poses.csv", "poses.bag"))
         config.write_text(BUSH)
         turns = [(1e-3 * math.sin(0.05 * i), 0.05 * math.sin(0.03 * i)) for i in range(SAMPLES)]

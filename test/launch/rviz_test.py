@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A bush of six directions in rviz: the wrench is moved to the bush, and arrows are seen. Under Xvfb.
+"""A bush of six directions in rviz under Xvfb: the wrench is moved to the bush, and its arrows are visible.
 
 Usage: rviz_test.py FOLDER_OF_THE_PACKAGE [PICTURE.png]; skipped (77) without rviz, Xvfb or their Python modules.
 """
@@ -26,11 +26,11 @@ try:
 except ImportError:
     RVIZ = None
 
-FORCE = np.array([300.0, 0.0, 150.0])  # [N], on B at B's origin, in A's axes
-PLACE = np.array([1.1, 0.6, -0.5])     # of the bush on both bodies, as config/hung_body.yaml has it [m]
-TURN = 0.05                            # of B about z [rad]
+FORCE = np.array([300.0, 0.0, 150.0])  # [N], on B at B's origin, in the axes of A
+PLACE = np.array([1.1, 0.6, -0.5])     # [m], of the bush on both bodies, as in config/hung_body.yaml
+TURN = 0.05                            # [rad], of B about z
 ROTATION = np.array([[np.cos(TURN), -np.sin(TURN), 0], [np.sin(TURN), np.cos(TURN), 0], [0, 0, 1]])
-MOMENT = np.cross(ROTATION @ PLACE, FORCE) + [0.0, 20.0, 0.0]  # [N m], 20 of them at the bush
+MOMENT = np.cross(ROTATION @ PLACE, FORCE) + [0.0, 20.0, 0.0]  # [N m], with 20 of them at the bush
 
 
 def until(condition, seconds=90):
@@ -41,7 +41,7 @@ def until(condition, seconds=90):
 
 
 def screen(path):
-    """Red, green and blue of the screen of Xvfb -fbdir, which is a file of xwd."""
+    """Return red, green and blue of the screen of Xvfb -fbdir, which is a file of xwd."""
     data = path.read_bytes()
     head = struct.unpack(">25I", data[:100])
     size, width, height, line, colours = head[0], head[4], head[5], head[12], head[19]
@@ -65,7 +65,7 @@ class Rviz(unittest.TestCase):
                           HOME=str(folder))
         self.start("rosmaster", "--core", "-p", port)
         self.start("Xvfb", "-displayfd", "1", ":97", "-screen", "0", "1024x768x24", "-fbdir", folder)
-        import rosgraph  # noqa: PLC0415: with the master known
+        import rosgraph  # noqa: PLC0415: after the master is known
         self.assertTrue(until(rosgraph.is_master_online))
         rospy.init_node("rviz_test", disable_signals=True)
         show = (ROOT / "scripts" / "show_bush", "--config", ROOT / "config" / "hung_body.yaml", "--component", "front_left")
@@ -84,7 +84,7 @@ class Rviz(unittest.TestCase):
         picture = folder / "Xvfb_screen0"
         self.assertTrue(until(lambda: picture.exists() and self.arrows(screen(picture)), 240), "no arrows on the screen")
         if PICTURE:
-            import matplotlib.image  # noqa: PLC0415: where a picture is wanted
+            import matplotlib.image  # noqa: PLC0415: only if a picture is wanted
             matplotlib.image.imsave(PICTURE, screen(picture).astype(np.uint8))
 
     @staticmethod
@@ -99,7 +99,7 @@ class Rviz(unittest.TestCase):
         answer.wrench.torque.x, answer.wrench.torque.y, answer.wrench.torque.z = MOMENT
         wrench.publish(answer)
 
-    # Work of the wrench is the same from B's origin and from the bush, in the axes of either.
+    # The power of the wrench is the same at B's origin and at the bush, in the axes of either body.
     def check_wrench(self, message):
         self.assertEqual(message.header.frame_id, "front_left/b")
         turn = ROTATION
@@ -112,7 +112,7 @@ class Rviz(unittest.TestCase):
 
     @staticmethod
     def arrows(picture):
-        """Enough pixels of the force's orange and of the moment's blue, in any light, on the dark ground."""
+        """Return true if enough pixels have the orange of the force and the blue of the moment, on the dark ground."""
         red, green, blue = picture[:, :, 0], picture[:, :, 1], picture[:, :, 2]
         orange = (red > blue + 70) & (red > green + 30) & (green > blue)
         azure = (blue > red + 60) & (blue > green + 30) & (green > red)

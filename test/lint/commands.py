@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds every command to one style of --help, --help-all and --version, and the page docs/commands.md to what they print.
+"""Checks that all commands have one style of --help, --help-all and --version, which docs/commands.md shows.
 
 Usage: commands.py VERSION PAGE PRINTED_PAGE PROGRAM...; one line per violation, exit status 1 if there is any.
 """
@@ -10,10 +10,10 @@ import subprocess
 import sys
 
 
-WIDTH = 100  # of a terminal, and of a page
+WIDTH = 100  # characters of a terminal, and of a page
 SCREEN = 30  # lines of --help
 EXAMPLES = 3
-# Name, placeholder, and description with the lines that continue it.
+# Name, placeholder, and description with its continuation lines.
 OPTION = re.compile(r"^  ((?:-\w,)?--[\w-]+)(?: (\S+))?[^\n]*?\s{2,}(\S[^\n]*(?:\n {28}[^\n]*)*)$", re.M)
 
 
@@ -51,7 +51,7 @@ def violations(program, version):
 
 
 def screen_violations(command, screen, everything):
-    """--help is one screen with examples; --help-all has all of it and more, in the same style."""
+    """--help is one screen with examples; --help-all contains all of it and more, in the same style."""
     if screen.count("\n") > SCREEN:
         yield f"--help has {screen.count(chr(10))} lines, more than a screen of {SCREEN}"
     known = options_in(everything)
@@ -72,7 +72,7 @@ def options_in(text):
 
 
 def option_violations(text):
-    """One style for the options: a placeholder that says what is wanted, a description without capital and full stop."""
+    """Options have one style: a placeholder that names the value, a description without capital and full stop."""
     for option, placeholder, description in OPTION.findall(text):
         if placeholder in ("TEXT", "INT", "UINT", "FLOAT"):
             yield f"--help does not say what {option} takes"
@@ -83,13 +83,13 @@ def option_violations(text):
 
 
 def sections(page):
-    """The text of each command in a reference page, by its name; what stands before them under ''."""
+    """Return the text of each command in a reference page by its name; the introduction has the name ''."""
     parts = re.split(r"^## (\w+)$", page, flags=re.M)
     return dict(zip(["", *parts[1::2]], [part.strip() for part in parts[::2]]))
 
 
 def page_violations(page, printed_page, commands):
-    """A command that cannot be built here, for want of a library, may stand in the page nevertheless."""
+    """Compare the page with the printed one, but for commands that are not built here because a library is missing."""
     page, printed = sections(page.read_text()), sections(printed_page.read_text())
     for name in ["", *commands]:
         if name not in printed:

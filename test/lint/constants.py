@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds the sources to one spelling of pi: element::kPi of element/constants.h.
+"""Checks that pi has one spelling in the sources: element::kPi of element/constants.h.
 
 Usage: constants.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Holds package.xml, the build files, the imports, scripts/dependencies.txt and scripts/rosdep.yaml to the same set of
-dependencies, and package.xml, the build files, the scripts and the citation to the version of the last release.
+"""Checks that package.xml, the build files, the imports, scripts/dependencies.txt and scripts/rosdep.yaml name the same
+dependencies, and that package.xml, the build files, the scripts and the citation have the version of the last release.
 
 Usage: dependencies.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -10,7 +10,7 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-# rosdep key -> (how the sources name it: CMake package, header folder or Python module, its packages in Debian)
+# rosdep key -> (its names in the sources: CMake package, header folder or Python module; its Debian packages)
 KEYS = {
     "boost": ({"Boost", "boost"}, {"libboost-dev", "libboost-iostreams-dev"}),
     "catkin": ({"catkin"}, {"catkin"}),
@@ -67,12 +67,12 @@ KEYS = {
     "yaml-cpp": ({"yaml-cpp"}, {"libyaml-cpp-dev"}),
     "zlib": ({"ZLIB", "zlib.h"}, {"zlib1g-dev"}),
 }
-# Brought by a package that another key names, or by the language itself.
+# Installed by a package that another key names, or part of the language itself.
 IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys", "arpa", "net", "netinet", "gnu", "linux",
            "Python3"}
-# Found where they are, done without where not: no rosdep key names them.
+# Used if installed; no rosdep key names them.
 OPTIONAL = {"rapidcheck", "rapidcheck.h"}
-# For tools and options that are no rosdep dependency: scripts/dependencies.txt alone names them.
+# Tools and options without a rosdep key, which only scripts/dependencies.txt names.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev",
          "dpkg-dev", "file", "iproute2", "nftables", "munge", "slurm-client", "slurmctld", "slurmd", "g++-mingw-w64-x86-64", "wine64", "rviz", "chromium"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz", "strace")
@@ -80,7 +80,7 @@ INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "pyt
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {
     "rubber_suspension", "rubber_suspension_core", "mpl_toolkits", "genpy", "actionlib"}
 
-# Where the version stands; the first heading of CHANGELOG.rst that is a version is that of the last release.
+# Places of the version; the first version in a heading of CHANGELOG.rst is that of the last release.
 VERSIONS = {
     "CHANGELOG.rst": r"^(\d+\.\d+\.\d+) \(\d{4}-\d\d-\d\d\)$",
     "package.xml": r"<version>(.*)</version>",
@@ -135,7 +135,7 @@ def launch_names(root):
 
 
 def files(root, folders, suffixes):
-    """All files of these folders, but those of packages within the package: they have a package.xml of their own."""
+    """Return all files of these folders, without packages inside the package, which have a package.xml of their own."""
     return sorted(
         p
         for folder in folders
@@ -155,7 +155,7 @@ def debian_packages(root):
 
 
 def own_rosdep_problems(root, declared):
-    """scripts/rosdep.yaml stands for keys that are declared, with the package that is installed here."""
+    """scripts/rosdep.yaml may only contain declared keys, each with the package that is installed here."""
     text = (root / "scripts" / "rosdep.yaml").read_text()
     for key, package in re.findall(r"^([\w-]+):\n  debian: \[([\w-]+)\]$", text, re.MULTILINE):
         if key not in declared:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Holds the pages written by hand to the files, commands and launch files that they name, pages and comments to the words
-of the field, the messages of the sources to the options that commands have, and docs/api.md to the public headers.
+"""Checks that pages name existing files, commands and launch files, that pages and comments use the words of the field,
+that messages name existing options, and that docs/api.md names the public headers.
 
 Usage: documents.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -10,31 +10,31 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-LARGEST_PICTURE = 150_000  # bytes: every clone carries all pictures, and all their versions
-# Words that this package used to invent, and what the field says.
+LARGEST_PICTURE = 150_000  # bytes; every clone contains all pictures, and all their versions
+# Words that this package used to invent, and the words of the field.
 FOREIGN = {
     "specimen": "component, or test piece", "own parameter": "model parameter", "yardstick": "baseline, or reference",
     "foresee": "predict", "in vain": "false positive", "hasten": "accelerate", "anew": "again", "lets go": "resumes",
     "bear out": "confirm", "goes on": "continues",
 }
-LONGEST_PAGE = 150  # lines of a page of docs/ that is written by hand
+LONGEST_PAGE = 150  # lines of a hand-written page of docs/
 LONGEST_TOUR = 120  # lines of README.md
 GENERATED = {"commands.md", "parameters.md", "topics.md", "effects.md"}
 WRITTEN = {"augmented.yaml", "augmented_full.yaml", "components.yaml", "surrogate.yaml"}  # by a diagnosis, by a user
-# These of them have a plain meaning in comments, too.
+# Words that have a plain meaning in comments.
 PLAIN_IN_COMMENTS = {"own parameter"}
 OTHER_PROGRAMS = re.compile(r"\b(squeue|sbatch|SBATCH)\b")
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.M | re.S)
 
 
 def pages(root):
-    """The Markdown pages of the package, by their paths; installed copies and builds are not among them."""
+    """Return the Markdown pages of the package by their paths, without installed copies and builds."""
     found = [*root.glob("*.md"), *root.glob("docs/*.md"), *root.glob("config/**/*.md"), *root.glob("test/*/*.md")]
     return {path: path.read_text(encoding="utf-8") for path in sorted(found)}
 
 
 def anchors(text):
-    """The anchors that GitHub makes of the headings."""
+    """Return the anchors that GitHub generates from the headings."""
     titles = re.findall(r"^#+ (.*)$", FENCE.sub("", text), re.M)
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
 
@@ -52,7 +52,7 @@ def link_violations(root, path, text):
 
 
 def length_violations(root):
-    """Pages that are too long to be read in a few minutes."""
+    """Pages must be short enough to be read in a few minutes."""
     limits = {path: LONGEST_PAGE for path in (root / "docs").glob("*.md") if path.name not in GENERATED}
     for path, limit in sorted({**limits, root / "README.md": LONGEST_TOUR}.items()):
         length = len(path.read_text(encoding="utf-8").splitlines())
@@ -61,13 +61,13 @@ def length_violations(root):
 
 
 def options(root):
-    """The options of each command, from the page that is compared with what the commands print."""
+    """Return the options of each command, from the page that is compared with the printed help."""
     sections = re.split(r"^## (\w+)$", (root / "docs/commands.md").read_text(encoding="utf-8"), flags=re.M)[1:]
     return {name: set(re.findall(r"--[\w-]+", text)) for name, text in zip(sections[::2], sections[1::2])}
 
 
 def command_violations(text, known):
-    """Options and arguments of the command lines in a page: in fenced blocks, and in the text."""
+    """Check options and arguments of the command lines in a page, in fenced blocks and in the text."""
     inline = re.findall(r"`(ros(?:run|launch)[^`]+)`", FENCE.sub("", text))
     lines = [line for _, block in FENCE.findall(text) for line in block.replace("\\\n", " ").splitlines()]
     for line in [*lines, *inline]:
@@ -90,13 +90,13 @@ def command_violations(text, known):
 
 
 def sources(root):
-    """All files of the folders that a page may name files of."""
+    """Return all files that a page may name."""
     folders = ("src", "include", "test", "launch", "msg", "config", "scripts")
     return ["/" + str(path.relative_to(root)) for folder in folders for path in (root / folder).rglob("*.*")]
 
 
 def source_violations(text, known):
-    """Names of files in the text, with or without their folders."""
+    """Check names of files in the text, with or without their folders."""
     for name in re.findall(r"`([\w/]+\.(?:cpp|h|py|launch|msg|yaml))`", FENCE.sub("", text)):
         placeholder = re.match(r"(?:.*/)?(?:x[._]|[A-Z])", name)
         if not placeholder and name not in WRITTEN and not any(file.endswith("/" + name) for file in known["sources"]):
@@ -110,7 +110,7 @@ def word_violations(text):
 
 
 def comment_violations(text):
-    """The same words in the comments of a source."""
+    """Check the words in the comments of a source."""
     comments = "\n".join(line.split("//", 1)[1] for line in text.splitlines() if "//" in line)
     for word, instead in FOREIGN.items():
         if word not in PLAIN_IN_COMMENTS and re.search(rf"\b{word}", comments, re.I):
@@ -118,7 +118,7 @@ def comment_violations(text):
 
 
 def message_violations(path, text, known):
-    """An option that a message names is one of the command: of those that print it, as far as the folder tells."""
+    """Messages may name only options of the commands that print them, as far as the folder determines these."""
     folder, name = path.parts[1], path.stem
     every = set().union(*known.values())
     reading = set.intersection(*(options for options in known.values() if "--columns" in options))
@@ -132,7 +132,7 @@ def message_violations(path, text, known):
 
 
 def header_violations(root):
-    """Each public header stands in one row of docs/api.md, with a word on its use; each that stands there exists."""
+    """Each public header has one row in docs/api.md, with a word on its use, and each header there exists."""
     public = {str(path.relative_to(root / "include/rubber_suspension")) for path in (root / "include").rglob("*.h")}
     text = (root / "docs/api.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (`[\w/]+\.h`.*?) \|(.*)\|$", text, re.M)

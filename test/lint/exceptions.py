@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds every public header to saying what it throws, and those whose sources throw to naming it.
+"""Checks that every public header states what it throws, and that it names exceptions if its source throws.
 
 Usage: exceptions.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Holds the judgement to one posterior: the verdict is said in one place, from probabilities alone, and no number or
-comparison besides decides anything.
+"""Checks that the verdict is determined in one place, from the probabilities of one posterior alone, without further
+numbers or comparisons.
 
 Usage: judgement.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -10,24 +10,24 @@ import re
 import sys
 
 JUDGE = "src/diagnosis/judge/"
-# The verdict; of logs that were never judged; of a report that contradicts itself.
+# The verdict, that of logs without a judgement, and that of a contradictory report.
 SAYS = {JUDGE + "answer.cpp", "src/diagnosis/prepare/bench_evidence.cpp", "src/diagnosis/invariants.cpp"}
 SEES = {"diagnosis/judge/answer.h", "diagnosis/judge/set_posterior.h", "rubber_suspension/diagnosis/posterior.h",
-        "rubber_suspension/diagnosis/verdict.h"}              # what a verdict is a function of
-COMPARE = {JUDGE + "answer.cpp", JUDGE + "set_posterior.cpp"}  # probabilities with each other
+        "rubber_suspension/diagnosis/verdict.h"}              # the verdict is a function of these
+COMPARE = {JUDGE + "answer.cpp", JUDGE + "set_posterior.cpp"}  # compare probabilities with each other
 FITTED = {JUDGE + "numbers.h", JUDGE + "numbers.cpp", JUDGE + "fitted_numbers.cpp"}
 NAMED = {"kListed", "kMajority", "kWorthListing", "kLeastSquare", "kTypicalBlocks"}  # meanings and units, no thresholds
-PLAIN = {"0", "1", "2", "0.0", "0.5", "1.0"}                  # of formulas, and places of hypotheses
+PLAIN = {"0", "1", "2", "0.0", "0.5", "1.0"}                  # in formulas, and indices of hypotheses
 
 SAID = re.compile(r"(?<!Verdict )\b(?:verdict\w*\s*=|return)\s+(?:diagnosis::)?Verdict::|\?\s*Verdict::")
 INCLUDE = re.compile(r'^#include "([^"]+)"')
 COMPARISON = re.compile(r" (?:<|>|<=|>=|==|!=) ")
-COUNTS = re.compile(r"\bfor \(|\.size\(\)|\.end\(\)|\.at\(\)|\.terms")  # loops, sizes, what is found or not, texts
+COUNTS = re.compile(r"\bfor \(|\.size\(\)|\.end\(\)|\.at\(\)|\.terms")  # loops, sizes, results of searches, texts
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
 
 def code_lines(path):
-    """Lines without comments and strings."""
+    """Yield lines without comments and strings."""
     for number, line in enumerate(path.read_text().splitlines(), 1):
         yield number, line if line.startswith("#include") else re.sub(r'"[^"]*"|//.*', "", line)
 

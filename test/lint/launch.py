@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Holds every launch file to the loopback interface: each node gets ROS_IP and ROS_HOSTNAME from the argument `ip`, whose
-default is 127.0.0.1, and an included file of this package gets the same argument.
+"""Checks that launch files stay on the loopback interface: each node gets ROS_IP and ROS_HOSTNAME from the argument
+`ip` with the default 127.0.0.1, and an included file of this package gets the same argument.
 
 Usage: launch.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
 """
@@ -13,7 +13,7 @@ LOOPBACK = "127.0.0.1"
 
 
 def violations(launch):
-    """What is wrong with the root element of a launch file."""
+    """Return the violations in the root element of a launch file."""
     found = []
     defaults = [arg.get("default") for arg in launch.findall("arg") if arg.get("name") == "ip"]
     if defaults != [LOOPBACK]:
@@ -31,7 +31,7 @@ def violations(launch):
 
 
 def main():
-    """Check launch/ and say what is wrong."""
+    """Check launch/ and print the violations."""
     files = sorted((pathlib.Path(sys.argv[1]) / "launch").glob("*.launch"))
     wrong = [f"{path}: {text}" for path in files for text in violations(ElementTree.parse(path).getroot())]
     print("\n".join(wrong), end="\n" if wrong else "")

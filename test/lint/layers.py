@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds the layers apart: includes point one way only, only ros_interface and the mains know ROS, and each folder of
+"""Checks the layers: includes point one way only, only ros_interface, bag and the mains know ROS, and each folder of
 diagnosis/ declares in its own namespace.
 
 Usage: layers.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-# What each layer may include, itself apart.
+# The layers that each layer may include, apart from itself.
 BELOW = {
     "processor": set(),
     "element": {"processor"},
@@ -42,7 +42,7 @@ BELOW = {
         "bag"},
     "benchmark": {"element", "component", "estimation", "numerics", "log", "io", "gap", "diagnosis"},
 }
-# What each folder of diagnosis/ may include of the others, a folder or a single header; what lies beside the folders may
+# The folders and single headers of diagnosis/ that each of its folders may include. Files beside the folders may
 # include all of them.
 WITHIN_DIAGNOSIS = {
     "prepare": set(),
@@ -56,7 +56,7 @@ WITHIN_DIAGNOSIS = {
     "report": {
         "words", "prepare/bench_evidence.h", "judge/evidence_json.h", "hypotheses/workings.h"},
 }
-# These folders end the flow: they take values, and call no step before them. A writer is no step.
+# These folders end the flow: they receive values, and call no earlier step. A writer is not a step.
 ENDS = {"words", "report"}
 NO_STEPS = {"judge::toJson"}
 KNOW_ROS = {"bag", "ros_interface", "apps"}
@@ -73,13 +73,13 @@ OF_DIAGNOSIS = re.compile(r"(?:^|/src/)diagnosis/([a-z_]+)/")
 
 
 def layer_of(path, root):
-    """The folder below include/rubber_suspension/ or src/ that a file is in."""
+    """Return the folder below include/rubber_suspension/ or src/ that contains a file."""
     parts = path.relative_to(root).parts
     return parts[2] if parts[0] == "include" else parts[1]
 
 
 def violation_within(path, header):
-    """The same of a file of diagnosis/ and a header of another folder of it."""
+    """Return why a file of diagnosis/ must not include a header of another folder of it; None if it may."""
     own, other = OF_DIAGNOSIS.search(path.as_posix()), OF_DIAGNOSIS.search(header)
     if own is None or other is None or own.group(1) == other.group(1):
         return None
@@ -89,14 +89,14 @@ def violation_within(path, header):
 
 
 def steps_called(path, line):
-    """Steps of a diagnosis that a line of a folder at its end calls."""
+    """Return the earlier steps of a diagnosis that a line of a folder at its end calls."""
     own = OF_DIAGNOSIS.search(path.as_posix())
     called = set(CALL.findall(line)) - NO_STEPS if own and own.group(1) in ENDS else ()
     return [f"calls {step}(): diagnosis/{own.group(1)} takes values alone" for step in sorted(called)]
 
 
 def violation_of_namespace(path, text, root):
-    """The same of a file of diagnosis/ and its namespaces: that of its folder, or of the layer for public headers."""
+    """Return why the namespaces of a file of diagnosis/ are wrong: neither of its folder nor of the layer."""
     parts = path.relative_to(root).parts
     if parts[:2] != ("src", "diagnosis"):
         return None
@@ -109,7 +109,7 @@ def violation_of_namespace(path, text, root):
 
 
 def violation(layer, header):
-    """Why a file of this layer must not include the header; None if it may."""
+    """Return why a file of this layer must not include the header; None if it may."""
     if layer not in KNOW_ROS and (ROS_HEADER.match(header) or OWN_MESSAGE.match(header)):
         return f"{layer} must not know ROS"
     own = OWN_HEADER.match(header)

@@ -1,10 +1,9 @@
 #!/usr/bin/python3
-"""Holds the table of tests in CONTRIBUTING.md to the tests that ctest knows: each is there, in its tier.
+"""Checks that the table in CONTRIBUTING.md has all tests of ctest, in their tiers.
 
 Usage: tests.py FOLDER_OF_THE_PACKAGE BUILD_FOLDER; one line per violation, exit status 1 if there is any.
-With a third argument, a part of test names or '', it runs these one after the other instead, and prints for each the
-seconds of the wall and of the processor that it takes. With `write` as a fourth one, those of the processor go into the
-table.
+With a third argument, a part of test names or '', it runs these tests one by one instead, and prints the real time and
+the CPU time of each [s]. With a fourth argument `write`, it writes the CPU times to the table.
 """
 
 import fnmatch
@@ -18,11 +17,11 @@ import sys
 import time
 
 ROW = re.compile(r"^\| `([\w*.]+)` \| (quick|all) \|", re.MULTILINE)
-CATKIN = re.compile(r"^_ctest_\w+?_(?=gtest_|rostest_)")  # before the names that catkin makes
+CATKIN = re.compile(r"^_ctest_\w+?_(?=gtest_|rostest_)")  # prefix of the names that catkin makes
 
 
 def tests_of(build):
-    """Of each test: its name without what catkin puts before it, and what ctest tells of it."""
+    """Return the properties of each test by its name, without the prefix of catkin."""
     told = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True).stdout
     return {CATKIN.sub("", test["name"]): test for test in json.loads(told)["tests"]}
 
@@ -39,7 +38,7 @@ def check(root, build):
         found = [row_tier for pattern, row_tier in rows if fnmatch.fnmatchcase(name, pattern)]
         if found != [tier]:
             problems.append(f"{name}: tier {tier} by its label, {', '.join(found) or 'no row'} in the table")
-    if "all" in tiers.values():  # else the build has the quick tier alone
+    if "all" in tiers.values():  # otherwise the build has only the quick tier
         problems += [f"{pattern}: in the table, but no test" for pattern, _ in rows
                      if not fnmatch.filter(tiers, pattern)]
     for problem in problems:

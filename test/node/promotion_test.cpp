@@ -194,7 +194,7 @@ TEST(Promotion, ASavedStateGoesOnBitByBit) {
     after.load(node::parseStates(text, "state.json").front());
     EXPECT_EQ(after.running().stage, whole.running().stage);
     EXPECT_EQ(after.running().other_sha256, whole.running().other_sha256);
-    // A loaded shadow starts anew, so this comparison ends where the original shadow ends.
+    // A loaded shadow starts again, so this comparison ends where the original shadow ends.
     const int last = saved_at == 500 ? 2000 : saved_at + 2000;
     for (int i = saved_at; i < last; ++i) {
       ASSERT_EQ(force(after, i), force(whole, i)) << "saved at " << saved_at << ", sample " << i;

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""Runs the commands of pages and compares what they print and draw with what the pages show.
+"""Runs the commands of pages and compares their output and pictures with those of the pages.
 
 Usage: pages.py ROOT PROGRAMS PAGE... [--write]; one line per difference, exit status 1 if there is any.
-
 In a page (CONTRIBUTING.md):
 - The blocks ```sh run are one script, which begins in the folder of the package; /tmp is a folder of its own.
-- A block ```yaml to FILE is that file, for the commands behind it.
-- A block ```text behind one is all that it prints on stdout, ```text 2 its first two lines, long ones wrapped.
-- A picture with <!-- of FILE --> behind it is FILE, which the script leaves; of FILE.html the first screen, by Chromium.
-Text is compared exactly, except for line breaks and spaces. --write puts the present output and pictures in place.
-roslaunch needs the environment of the build, as `catkin_generated/env_cached.sh` gives it.
+- A block ```yaml to FILE is that file, for the commands after it.
+- A block ```text after a script block is its whole output on stdout, ```text 2 its first two lines; long lines are
+wrapped.
+- A picture with <!-- of FILE --> after it is FILE, which the script writes; of FILE.html the first screen, by Chromium.
+Text is compared exactly, except for line breaks and spaces. --write updates output and pictures.
+roslaunch needs the environment of the build, as `catkin_generated/env_cached.sh` provides it.
 """
 
 import os
@@ -30,9 +30,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "report"
 import browser  # noqa: E402
 
 WIDTH = 120  # of a page [characters]
-COLOURS = 128  # of a picture: every clone carries all of them, and all their versions
-# Mean difference of two pictures, of the whole range of brightness: colours that were reduced make 0.005, a curve or a
-# line of text that is another one more than 0.01.
+COLOURS = 128  # of a picture, because every clone contains all pictures, and all their versions
+# Mean difference of two pictures, relative to the range of brightness: a reduced number of colours causes 0.005,
+# another curve or line of text more than 0.01.
 SAME_PICTURE = 0.01
 FENCE = re.compile(r"^( *)```(sh run|yaml to \S+|text(?: \d+)?)\n(.*?)^ *```$", re.M | re.S)
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)<!-- of ([^ ]+) -->")
@@ -43,23 +43,23 @@ cd "{root}"
 
 
 class Page:
-    """One page, and a run of its commands."""
+    """A page, and a run of its commands."""
 
     def __init__(self, root, path, programs):
         self.root, self.path, self.programs = root, path, programs
         self.text = path.read_text(encoding="utf-8")
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="pages."))
         self.blocks = list(FENCE.finditer(self.text))
-        self.outputs = {}  # of each block of output, by its place: the lines that are printed
+        self.outputs = {}  # printed lines of each block of output, by its index
 
     def here(self, text):
-        """Text of the page with the folder of this run in place of /tmp."""
+        """Return a text of the page with the folder of this run in place of /tmp."""
         return text.replace("/tmp/", f"{self.folder}/")
 
     def run(self):
-        """All commands in one shell; the output of each block is kept."""
+        """Run all commands in one shell; store the output of each block."""
         script = PRELUDE.format(root=self.root, programs=self.programs, scripts=self.root / "scripts")
-        last = None  # block of commands
+        last = None  # index of the last block of commands
         for i, (kind, content) in enumerate((block[2], self.here(textwrap.dedent(block[3]))) for block in self.blocks):
             if kind == "sh run":
                 last = i
@@ -86,7 +86,7 @@ class Page:
             self.outputs[i] = lines[:int(count)] if count else lines
 
     def differences(self):
-        """What the page shows and the commands do not print or draw."""
+        """Yield the differences between the page and the output and pictures of its commands."""
         for i, lines in self.outputs.items():
             shown, printed = " ".join(self.blocks[i][3].split()), " ".join(" ".join(lines).split())
             if shown != printed:
@@ -97,7 +97,7 @@ class Page:
                 yield f"{picture} is not what {file} is now"
 
     def write(self):
-        """Puts what the commands print and draw in place."""
+        """Update the page and its pictures."""
         text, end = "", 0
         for i, block in enumerate(self.blocks):
             text += self.text[end:block.start()]
@@ -110,7 +110,7 @@ class Page:
                 Image.open(drawn).convert("RGB").quantize(COLOURS).save(old, optimize=True)
 
     def picture(self, file):
-        """The file that a picture is of; None where there is no browser to draw it."""
+        """Return the file that a picture shows; None without a browser to draw it."""
         path = pathlib.Path(self.here(file))
         if path.suffix != ".html":
             return path
@@ -125,7 +125,7 @@ class Page:
 
 
 def wrapped(lines, block):
-    """A block of output, at the width and indentation of the page."""
+    """Return a block of output, wrapped to the width and indentation of the page."""
     indent = block[1]
     rows = [row for line in lines for row in textwrap.wrap(line, WIDTH - len(indent), subsequent_indent="",
                                                            break_long_words=False, break_on_hyphens=False) or [""]]
@@ -133,7 +133,7 @@ def wrapped(lines, block):
 
 
 def difference(one, other):
-    """Mean difference of the brightness of two pictures; 1 where their sizes differ or one is missing."""
+    """Return the mean difference in brightness of two pictures; 1 if their sizes differ or one is missing."""
     if not one.exists() or not other.exists():
         return 1.0
     pictures = [numpy.asarray(Image.open(path).convert("RGB"), dtype=float) / 255.0 for path in (one, other)]
@@ -141,7 +141,7 @@ def difference(one, other):
 
 
 def problems(root, name, programs, write):
-    """What is wrong with a page, one line each."""
+    """Return the differences of a page, one line each."""
     page = Page(root, root / name, programs)
     try:
         page.run()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests of pages.py on made pages. Run in this folder: python3 -m unittest pages_test"""
+"""Tests of pages.py with generated pages. Run in this folder: python3 -m unittest pages_test"""
 import contextlib
 import io
 import pathlib
@@ -44,7 +44,7 @@ class Pages(unittest.TestCase):
         self.root = pathlib.Path(temporary.name)
 
     def main(self, text, write=False):
-        """Exit status, and what is said, of a package with one page."""
+        """Return exit status and output for a package with one page."""
         (self.root / "page.md").write_text(text, encoding="utf-8")
         said = io.StringIO()
         with contextlib.redirect_stdout(said):

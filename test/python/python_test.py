@@ -68,7 +68,7 @@ class Components(unittest.TestCase):
         forces = component.simulate(displacement, dt=1e-3)
         motion = component.start(displacement[0])
         stepped = [motion.force] + [motion.step(1e-3, z) for z in displacement[1:]]
-        self.assertEqual(forces.tolist(), stepped)  # the same bits
+        self.assertEqual(forces.tolist(), stepped)  # to the last bit
         self.assertAlmostEqual(motion.elastic + motion.viscous + motion.friction, motion.force, delta=1e-6)
 
     def test_estimates_a_specification(self):
@@ -163,7 +163,7 @@ class Logs(unittest.TestCase):
         component = rs.load(EXAMPLE, "left_secondary")
         time, displacement = 1e-3 * numpy.arange(2000), sine()
         log = rs.Log(time, displacement)
-        # Stamps are whole nanoseconds, so the steps are those of a millisecond.
+        # Stamps are whole nanoseconds, so the steps are exactly a millisecond.
         self.assertEqual(component.replay(log).tolist(), component.simulate(displacement, dt=1e-3).tolist())
         self.assertEqual(len(log.force), 0)
         with self.assertRaisesRegex(rs.LogError, "time"):

@@ -1,4 +1,4 @@
-// Stiffness and loss angle of the paper's models away from the working point, to the digits that are known.
+// Stiffness and loss angle of the paper's models away from the working point, to the digits of the paper.
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"

@@ -1,4 +1,4 @@
-// The working point of every model: what was asked for is what the loop has, over random specifications.
+// At the working point, the loop of every model has the specified values, over random specifications.
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
@@ -27,18 +27,18 @@ void addAngle(Values& values, double largest) {
   values[as_angle ? "loss_angle" : "relative_damping"] = as_angle ? angle : 0.5 * std::tan(angle);
 }
 
-// The largest loss angle that leaves storage stiffness above K_st.
+// Returns the largest loss angle at which the storage stiffness exceeds K_st.
 double storageLimit(const Values& values) {
   return std::acos(values.at("static_stiffness") / values.at("dynamic_stiffness"));
 }
 
-// The largest loss stiffness K_n sin(delta) of friction is 4/pi of its stiffness, that of Coulomb friction.
+// Friction has the largest loss stiffness K_n sin(delta) as Coulomb friction: 4/pi of its stiffness.
 double frictionLimit(const Values& values) {
   const double ratio = values.at("static_stiffness") / values.at("dynamic_stiffness");
   return std::asin(std::min(0.95, 4.0 / element::kPi * (1.0 - ratio)));
 }
 
-// A specification that a randomly weighted bank of elements has, so that it has a solution.
+// Draws the five inputs of multi_maxwell until they have a solution.
 void makeFiveInputs(Values& values) {
   const Values first = values;
   while (true) {
@@ -50,7 +50,7 @@ void makeFiveInputs(Values& values) {
       estimated(Model::multi_maxwell, values);
       return;
     } catch (const std::invalid_argument&) {
-      // No solution; its errors have a test of their own.
+      // Tests of refusals check these errors.
     }
   }
 }
@@ -61,7 +61,7 @@ response::SweepPoint atWorkingPoint(const Entries& elements, const Values& value
                                      amplitude == values.end() ? 1e-3 : amplitude->second);
 }
 
-// What five inputs make, with their loss angle in place of one of them.
+// Replaces one of five inputs by the loss angle that they give.
 void setAngleFor(Values& values, const std::string& replaced) {
   const Entries five = estimated(Model::multi_maxwell, values);
   values["loss_angle"] = atWorkingPoint(five, values).characteristics.loss_angle;
@@ -80,9 +80,9 @@ struct Kind {
   std::string name;
   Model model;
   std::function<void(Values&)> complete;  // adds what the model needs to K_st, K_n and f_n
-  double accuracy;                        // relative, of stiffness, loss angle and maximum stiffness
-  std::string replaced = "";              // by the loss angle that it makes
-  int unsolved = 0;                       // of a hundred that may have no solution
+  double accuracy;                        // relative, for stiffness, loss angle and maximum stiffness
+  std::string replaced = "";              // input that its loss angle replaces
+  int unsolved = 0;                       // percentage that may have no solution
 };
 
 constexpr double kLinear = 1e-9;
@@ -120,10 +120,10 @@ const std::vector<Kind> kKinds = {
     {"MultiMaxwell", Model::multi_maxwell, makeFiveInputs, kLinear},
     {"MultiMaxwellWithLossAngleForMaximumStiffness", Model::multi_maxwell, makeFiveInputs, kLinear,
      "maximum_stiffness"},
-    // The scan steps over pairs of solutions that lie closer than its step, near the lowest angle possible.
+    // The scan misses pairs of solutions that are closer than its step, near the lowest possible loss angle.
     {"MultiMaxwellWithLossAngleForHighFrequency", Model::multi_maxwell, makeFiveInputs, kLinear, "high_frequency", 10}};
 
-// Specifications of rubber springs of all sizes, fixed seed.
+// Specifications of rubber springs of all sizes.
 Values anyValues() {
   const double k_st = logUniform(1e4, 1e8);
   const double k_n = k_st * uniform(1.02, 2.5);
@@ -164,7 +164,7 @@ TEST_P(WorkingPoint, IsWhatWasSpecified) {
       EXPECT_NEAR(point.characteristics.loss_angle / angleOf(values), 1.0, GetParam().accuracy);
     }
     if (given.count("maximum_stiffness") != 0) {
-      // Where it is not stated it comes back all the same, less exactly where one element carries nearly all.
+      // A replaced maximum stiffness is recovered, less exactly if one element carries nearly all of it.
       const double accuracy = values.count("maximum_stiffness") != 0 ? GetParam().accuracy : 1e-6;
       EXPECT_NEAR(sumOfStiffnesses(elements) / given.at("maximum_stiffness"), 1.0, accuracy);
     }
@@ -172,7 +172,7 @@ TEST_P(WorkingPoint, IsWhatWasSpecified) {
   EXPECT_GE(solved, kSpecifications * (100 - GetParam().unsolved) / 100);
 }
 
-// K_n is the storage stiffness of M1 (Eq. 11), not the magnitude.
+// K_n is the storage stiffness of M1 (Eq. 11), not its magnitude.
 TEST(WorkingPointOfKelvinVoigt, HasTheStorageStiffness) {
   generator.seed(20150801);
   for (int i = 0; i < kSpecifications; ++i) {
@@ -185,7 +185,7 @@ TEST(WorkingPointOfKelvinVoigt, HasTheStorageStiffness) {
   }
 }
 
-// K_n holds between the turning points, and the loss is that of a loop of K_n and the loss angle.
+// K_n applies between the turning points, and the loss is that of a loop with K_n and the loss angle.
 TEST(WorkingPointOfFrictionDashpot, HoldsBetweenTheTurningPoints) {
   generator.seed(20150801);
   for (int i = 0; i < kSpecifications; ++i) {
@@ -202,7 +202,7 @@ TEST(WorkingPointOfFrictionDashpot, HoldsBetweenTheTurningPoints) {
   }
 }
 
-// The solution is the only one, so the way there and back ends at the beginning.
+// The solution is unique, so the loss angle leads back to the elements.
 TEST(MultiMaxwell, InputsOfTheExampleComeBackFromTheirLossAngle) {
   const Values inputs = {{"static_stiffness", 3e6},
                          {"dynamic_stiffness", 4.2e6},

@@ -1,4 +1,4 @@
-// The comparison of a bench's forces with a reference, on forces made by hand.
+// The comparison of a bench's forces with a reference, on artificial forces.
 #include "ros_interface/force_check.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -25,7 +25,7 @@ ros_interface::PlayResult answered(const log::Log& log, double offset) {
   return result;
 }
 
-// What check_force makes of forces against those that the log has measured.
+// Returns the result of check_force for forces compared with the measured ones of the log.
 ros_interface::TestCase checked(const log::Log& log, const ros_interface::PlayResult& result, double tolerance,
                                 double skip = 0.0) {
   const ros_interface::ForceReference reference = ros_interface::measuredReference(log);
@@ -43,7 +43,7 @@ TEST(ForceCheck, LeavesOutTheStart) {
   EXPECT_THROW(checked(log, result, 0.0, 0.999), std::invalid_argument);
 }
 
-// The last axes show the difference, in kN.
+// The last axes show the difference [kN].
 TEST(ForceCheck, DrawsReferenceAndBench) {
   const log::Log log = sineLog();
   const io::Figure figure =
@@ -55,8 +55,8 @@ TEST(ForceCheck, DrawsReferenceAndBench) {
   EXPECT_NEAR(figure.axes[3].curves[0].y[500], -1e-3 * kOffset, 1e-9);
 }
 
-// A constant offset over a sine of ten whole periods: RMS of the difference is the offset, the deviation of the
-// reference the amplitude over the square root of two.
+// A constant offset on a sine of ten periods: the RMS of the difference is the offset, and the standard deviation of
+// the reference is the amplitude over the square root of two.
 TEST(ForceCheck, PassesWithinTheToleranceAndFailsBeyond) {
   const log::Log log = sineLog();
   const double gap = kOffset / (2000.0 / std::sqrt(2.0));

@@ -1,4 +1,4 @@
-// The message pool: messages are used again once nobody holds them, never before.
+// The message pool reuses messages once nobody holds them, never before.
 #include "ros_interface/message_pool.h"
 
 #include "support/test.h"

@@ -1,5 +1,4 @@
-// The page of topics in docs/ is the one that the code prints. That the table is what a running node offers is held by
-// the rostest interface.
+// The page of topics in docs/ equals the output of the code. The rostest `interface` checks the table against a node.
 #include "ros_interface/node_interface.h"
 
 #include "support/files.h"

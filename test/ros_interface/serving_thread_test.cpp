@@ -1,4 +1,4 @@
-// The watch over a serving thread: what holds it up is seen, and said with its name.
+// A watchdog detects what blocks a serving thread, and reports it with the name of the thread.
 #include "ros_interface/serving_thread.h"
 
 #include <ros/callback_queue_interface.h>
@@ -13,7 +13,7 @@
 namespace rubber_suspension {
 namespace {
 
-// Holds up its thread until it is told to go on.
+// Blocks its thread until it is released.
 class Hold : public ros::CallbackInterface {
  public:
   CallResult call() override {

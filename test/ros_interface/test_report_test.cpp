@@ -1,4 +1,4 @@
-// The report of a test node is what rostest reads: read back here with the same kind of parser.
+// The report of a test node has the format that rostest reads; a parser of the same kind reads it back.
 #include "support/test.h"
 
 #include <boost/property_tree/ptree.hpp>

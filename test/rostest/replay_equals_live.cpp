@@ -65,7 +65,7 @@ TEST_P(ReplayEqualsLive, ToTheLastBit) {
   expectSame(gap::replay(component, log).force, live(GetParam(), log));
 }
 
-// These logs start earlier than the one above: the node sees a jump back of more than a second, and starts anew.
+// These logs start earlier than the one above: the node sees a jump back of more than a second, and starts again.
 TEST_P(ReplayEqualsLive, ThroughCsvAndBag) {
   const auto components = io::loadComponentFile(configFile());
   const component::Component component = io::selectComponent(components, GetParam()).makeComponent();

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""A campaign on a real Slurm of two nodes on this machine: all results once, though a node dies with its tasks.
+"""A campaign on a real Slurm of two nodes on this machine has each result once, although a node dies with its tasks.
 
-Usage: slurm_test.py FOLDER_OF_THE_COMMANDS; exit status 77, with the reason, where Slurm is not installed or cannot
-start. Everything lies in a temporary folder; every daemon is ended by its process id.
+Usage: slurm_test.py FOLDER_OF_THE_COMMANDS; exit status 77, with the reason, if Slurm is not installed or cannot start.
+All files are in a temporary folder; every daemon is ended by its process id.
 """
 
 import json
@@ -111,9 +111,8 @@ class Cluster:
         return subprocess.run(command, env=self.environment, capture_output=True, text=True, check=False, timeout=60).stdout
 
     def kill_node(self, name):
-        """The node is lost, all of it at once: first who would report it (slurmstepd, slurmd), then what they ran. False,
-        and nothing killed, where nothing runs on it.
-        """
+        """Kill a whole node at once: first the processes that would report it (slurmstepd, slurmd), then the jobs.
+        Return False, and kill nothing, if nothing runs on the node."""
         parents, names, workers = {}, {}, set()
         for entry in pathlib.Path("/proc").glob("[0-9]*"):
             try:
@@ -122,7 +121,7 @@ class Cluster:
                 parents[pid] = int(rest.split()[1])
                 environment = (entry / "environ").read_bytes()
             except (OSError, ValueError):
-                continue  # it has ended
+                continue  # the process has ended
             if f"SLURMD_NODENAME={name}\0".encode() in environment and str(self.folder).encode() in environment:
                 workers.add(pid)
         reporters = {parents[pid] for pid in workers if names.get(parents[pid], "").startswith("slurmstepd")}
@@ -173,7 +172,7 @@ class OnSlurm(unittest.TestCase):
         (folder / "bush.yaml").write_text(
             "components:\n  bush:\n    model: maxwell\n    specification: {static_stiffness: 1.0e6, dynamic_stiffness: "
             "1.3e6, nominal_frequency: 4.0, break_frequency: 3.0}\n", encoding="utf-8")
-        # Long enough that a task is at work for a second or more.
+        # The log is long enough for a task to take a second or more.
         rows = "".join(f"{0.001 * i:.3f},{1e-6 * (i % 2000 - 1000):.9f}\n" for i in range(40000))
         (folder / "log.csv").write_text("time_s,displacement_m\n" + rows, encoding="utf-8")
         (folder / "jobs.yaml").write_text(
@@ -182,7 +181,7 @@ class OnSlurm(unittest.TestCase):
             encoding="utf-8")
 
     def records(self, name):
-        """Without the hidden file that a killed process was writing."""
+        """Return the records, without the hidden file that a killed process was writing."""
         found = (pathlib.Path(self.folder) / name / "results").glob("*/*.json")
         return [path for path in found if not path.name.startswith(".")]
 
@@ -194,7 +193,7 @@ class OnSlurm(unittest.TestCase):
         alone = self.campaign("run", str(folder / "alone"), "--threads", "1")
         self.assertEqual(alone.returncode, 0, alone.stderr)
 
-        # So short that the jobs make some tasks on each node: the time of a job is taken from the first shard.
+        # Shards are short enough for several tasks on each node; the first shard gives the time of a job.
         first = self.campaign("run", str(folder / "cluster"), "--shard", "1/20", "--threads", "1")
         self.assertEqual(first.returncode, 0, first.stderr)
         seconds = self.seconds_per_job("cluster")

@@ -1,4 +1,4 @@
-// The half bogie's geometry and motion against closed forms: heights, free flight, a pitch oscillation.
+// The geometry and motion of the half bogie agree with closed forms: heights, free flight, a pitch oscillation.
 #include "support/test.h"
 #include "vehicle/simulation.h"
 #include "vehicle/vehicle.h"
@@ -11,7 +11,7 @@ class NoForce final : public WrenchLaw {
   component::Wrench wrench(std::size_t, double, const Eigen::Isometry3d&) override { return {}; }
 };
 
-// Forces on both primaries that do not depend on the displacements; up in every other step only, if they alternate.
+// Forces on both primaries that do not depend on the displacements; their sign may alternate from step to step.
 class GivenForces final : public Exchange {
  public:
   GivenForces(double force, bool alternates) : force_(force), alternates_(alternates) {}
@@ -19,7 +19,7 @@ class GivenForces final : public Exchange {
   void send(std::int64_t stamp, const Poses& /*poses*/) override { odd_ = (stamp / 1000000) % 2 != 0; }
 
   Wrenches receive(std::int64_t /*stamp*/) override {
-    component::Wrench up;  // what the bush exerts; the wrench holds the pose against it
+    component::Wrench up;  // force of the bush; the wrench holds the pose against it
     up.force.z() = alternates_ && odd_ ? force_ : -force_;
     return {up, up, {}};
   }
@@ -53,10 +53,10 @@ TEST(HalfBogie, CompressionsFollowFromHeightsAndPitch) {
   const auto compression = [&](std::size_t i) { return struts[i].coordinates(poses[i])[component::kZ]; };
   EXPECT_NEAR(compression(0), -frame - parameters.semi_wheelbase * std::sin(pitch), 1e-15);
   EXPECT_NEAR(compression(1), -frame + parameters.semi_wheelbase * std::sin(pitch), 1e-15);
-  EXPECT_NEAR(compression(2), (frame - body) * std::cos(pitch), 1e-15);  // along the axis of the frame
+  EXPECT_NEAR(compression(2), (frame - body) * std::cos(pitch), 1e-15);  // along the vertical axis of the frame
 }
 
-// With constant forces on both primaries the frame falls upwards: z = F t^2/m.
+// Constant forces on both primaries accelerate the frame upwards: z = F t^2/m.
 TEST(HalfBogie, FliesFreelyUnderHeldForces) {
   Scene scene;
   scene.parameters.secondary_damping = 0.0;
@@ -69,20 +69,20 @@ TEST(HalfBogie, FliesFreelyUnderHeldForces) {
   EXPECT_NEAR(history.position.back()[1], 0.0, 1e-15);
 }
 
-// Held forces that alternate: a force that lingered over the end of its step would leave a trace of the first order.
+// The held forces alternate; a force that acted beyond its step would have an effect of first order.
 TEST(HalfBogie, TakesEachHeldForceFromTheStartOfItsStep) {
   Scene scene;
   scene.parameters.secondary_damping = 0.0;
   scene.duration = 0.1;
   GivenForces exchange(1e3, true);
   const History history = runExchange(scene, exchange, 0);
-  // Two steps end at rest, h^2 a further.
+  // Each pair of steps ends at rest, displaced by h^2 times the acceleration.
   const double expected = 50.0 * 1e-6 * 2e3 / scene.parameters.frame_mass;
   EXPECT_NEAR(history.position.back()[0], expected, 1e-9 * expected);
 }
 
-// Pitch on linear springs alone: I theta'' = -2 k a^2 theta. The sine of the pitch and the path between accepted steps
-// leave 1e-6 of the amplitude.
+// Pitch on linear springs alone: I theta'' = -2 k a^2 theta. The sine of the pitch and the linear path between accepted
+// steps have an effect of 1e-6 of the amplitude.
 TEST(HalfBogie, PitchesAsASingleOscillator) {
   Scene scene;
   scene.duration = 0.5;

@@ -1,4 +1,4 @@
-// The two ways to step against each other: variable steps with trials, and loops with held forces.
+// Variable steps with trials and loops with held forces are compared with each other.
 #include "vehicle/simulation.h"
 
 #include "support/test.h"
@@ -20,8 +20,8 @@ double largestDifference(const Bushes& components, const History& history, const
   return *std::max_element(values.begin(), values.end());
 }
 
-// A bogie whose steps are taken back, since their length is left to the integrator's error, has the forces of one that
-// steps evenly. What differs is the linear path between accepted steps, of second order.
+// Rejected steps, which the integrator's error control causes, have no effect on the forces. Only the linear path
+// between accepted steps makes a difference, which is of second order.
 TEST(VehicleSimulation, StepsTakenBackLeaveNoTrace) {
   const Scene scene = someTrack();
   const auto components = loadedComponents({{"friction", {{"maximum_force", {2000.0}}, {"displacement", {1e-3}}}}});
@@ -33,8 +33,8 @@ TEST(VehicleSimulation, StepsTakenBackLeaveNoTrace) {
   EXPECT_LT(largestDifference(components, coarse, fine), 2e-3);
 }
 
-// Errors of the path between accepted steps fall with its square: half the longest step, a quarter of the error. The
-// exponent is measured between three runs, and lies within 0.3 of 2.
+// The error of the path between accepted steps is quadratic in the longest step. The exponent is measured from three
+// runs, and is within 0.3 of 2.
 TEST(VehicleSimulation, ErrorOfVariableStepsIsOfSecondOrder) {
   const Scene scene = someTrack();
   const auto components = loadedComponents();
@@ -47,9 +47,9 @@ TEST(VehicleSimulation, ErrorOfVariableStepsIsOfSecondOrder) {
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.3) << coarse << " and " << fine;
 }
 
-// What a loop with held forces does otherwise is what the delay of (delay + 1/2) steps does: given to the components of
-// the run without a loop, it leaves less than a fiftieth of the difference: the next order in the step, (w h)^2/24 of
-// the force, and the error of the variable steps.
+// A loop with held forces differs from one without a loop by a delay of (delay + 1/2) steps: with that delay in its
+// components, the latter differs by less than a fiftieth, which is the next order in the step, (w h)^2/24 of the force,
+// and the error of the variable steps.
 TEST(VehicleSimulation, DelayExplainsTheLoopWithHeldForces) {
   Scene scene = someTrack();
   scene.step = 500000;

@@ -438,7 +438,7 @@ class Drive:
              f"_state_file:={self.state}", f"_threads:={options.threads}"], "simulate", MUTANT=options.mutant)
 
     def serve(self):
-        """Call services during the run: a saved state is of one instant, and enabling anew has no effect."""
+        """Call services during the run: a saved state is of one instant, and enabling again has no effect."""
         done, message = tcpros.trigger(self.network.call(NODE + "/save_state"))
         require(done, f"state: save_state was refused: {message}")
         with open(self.state) as file:

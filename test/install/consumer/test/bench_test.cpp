@@ -1,4 +1,4 @@
-// Checks a bench over its topics: one displacement in, one force out, of the value that the component file says.
+// Checks a bench over its topics: a displacement gives one force, with the value of the component file.
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -19,7 +19,7 @@ class Bench {
     return waitFor([this] { return publisher_.getNumSubscribers() > 0 && subscriber_.getNumPublishers() > 0; });
   }
 
-  /// The force that answers a displacement; nothing if none comes.
+  /// Returns the force that answers a displacement; empty if none arrives.
   std::optional<rubber_suspension::Force> ask(double displacement) {
     rubber_suspension::Displacement question;
     question.header.stamp = ros::Time(100, 5);
