@@ -302,7 +302,7 @@ TEST_F(BagLog, SurvivesDamage) {
     std::ofstream(path("damaged.bag"), std::ios::binary) << bytes;
     try {
       bag::readBagLog(path("damaged.bag"));
-    } catch (const log::LogError&) {  // the bag may also be read
+    } catch (const log::LogError&) {  // a damaged bag may be refused
     }
   };
   for (std::size_t size = 0; size < whole.size(); size += 197) {

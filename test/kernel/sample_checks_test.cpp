@@ -7,7 +7,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-constexpr std::size_t kMost = 40;  // two of the widest vectors, and a remainder
+constexpr std::size_t kMost = 40;  // several of the widest vectors
 constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kSmallest = std::numeric_limits<std::int64_t>::min();
 

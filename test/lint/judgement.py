@@ -14,7 +14,7 @@ JUDGE = "src/diagnosis/judge/"
 SAYS = {JUDGE + "answer.cpp", "src/diagnosis/prepare/bench_evidence.cpp", "src/diagnosis/invariants.cpp"}
 SEES = {"diagnosis/judge/answer.h", "diagnosis/judge/set_posterior.h", "rubber_suspension/diagnosis/posterior.h",
         "rubber_suspension/diagnosis/verdict.h"}              # the verdict is a function of these
-COMPARE = {JUDGE + "answer.cpp", JUDGE + "set_posterior.cpp"}  # compare probabilities with each other
+COMPARE = {JUDGE + "answer.cpp", JUDGE + "set_posterior.cpp"}  # these compare probabilities with each other
 FITTED = {JUDGE + "numbers.h", JUDGE + "numbers.cpp", JUDGE + "fitted_numbers.cpp"}
 NAMED = {"kListed", "kMajority", "kWorthListing", "kLeastSquare", "kTypicalBlocks"}  # meanings and units, no thresholds
 PLAIN = {"0", "1", "2", "0.0", "0.5", "1.0"}                  # in formulas, and indices of hypotheses

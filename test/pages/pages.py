@@ -5,8 +5,7 @@ Usage: pages.py ROOT PROGRAMS PAGE... [--write]; one line per difference, exit s
 In a page (CONTRIBUTING.md):
 - The blocks ```sh run are one script, which begins in the folder of the package; /tmp is a folder of its own.
 - A block ```yaml to FILE is that file, for the commands after it.
-- A block ```text after a script block is its whole output on stdout, ```text 2 its first two lines; long lines are
-wrapped.
+- A block ```text after a script block is its output on stdout, ```text 2 its first two lines, long ones wrapped.
 - A picture with <!-- of FILE --> after it is FILE, which the script writes; of FILE.html the first screen, by Chromium.
 Text is compared exactly, except for line breaks and spaces. --write updates output and pictures.
 roslaunch needs the environment of the build, as `catkin_generated/env_cached.sh` provides it.
