@@ -89,8 +89,8 @@ Case saveCase(std::size_t components, std::size_t samples) {
 }  // namespace
 
 std::vector<Case> bundleCases(const BenchmarkSize& size) {
-  // To lock and unlock takes two atomic operations, some 10 ns without contention, and a sample takes 20 ns, so twice
-  // the time would mean another kind of lock. With fifty components, only effects of the code's layout may remain.
+  // Locking and unlocking takes two atomic operations, some 10 ns without contention, and a sample takes 20 ns: twice
+  // the time would mean another kind of lock. With fifty components only effects of the code's layout remain.
   constexpr double kMostOfOne = 2.0;
   constexpr double kMostOfFifty = 1.1;
   return {lockCase(1, size.samples, kMostOfOne), lockCase(50, size.samples, kMostOfFifty), saveCase(50, size.samples)};

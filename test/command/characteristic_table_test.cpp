@@ -55,8 +55,8 @@ TEST(CharacteristicTable, OfASlowerComponentIsThatAtLowerFrequencies) {
   }
 }
 
-// z = m + x: k x + c((m + x)^3 - m^3); the terms odd in x, over one cycle of x = A sin, give
-// (k + 3 c m^2) A + c A^3 at the turning points, and with 3/4 c A^3 in the first harmonic.
+// z = m + x: k x + c((m + x)^3 - m^3); over one cycle of x = A sin, the terms odd in x are (k + 3 c m^2) A + c A^3 at
+// the turning points; the first harmonic has 3/4 c A^3 instead of c A^3.
 TEST(CharacteristicTable, APreloadStiffensACubicSpring) {
   const double amplitude = 5e-4;
   const double mean = 2e-3;

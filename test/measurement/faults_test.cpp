@@ -132,7 +132,7 @@ TEST(Faults, FindsSaturation) {
   }
 }
 
-// A triangle without noise that stands still at its ends, and a force with a stop that is hit in each cycle.
+// A triangle without noise that pauses at its ends, and a force with a stop that is hit in each cycle.
 TEST(Faults, LeavesCornersAndStopsAlone) {
   const Eigen::Index count = 4000;
   Eigen::VectorXd z(count);

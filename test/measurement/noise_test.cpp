@@ -161,7 +161,7 @@ TEST(NoiseFloor, IsNeverZeroNorAboveTheModel) {
   EXPECT_GT(noiseFloor(record, Eigen::VectorXd::Zero(record.size()), mask), 0.0);
   const Eigen::VectorXd residual = 5.0 * unitNoise(record.size(), {}, 1);
   const double left = std::sqrt(residual.squaredNorm() / static_cast<double>(record.size()));
-  EXPECT_LE(noiseFloor(record, residual, mask), left * (1.0 + 1e-12));  // the sums differ in their order
+  EXPECT_LE(noiseFloor(record, residual, mask), left * (1.0 + 1e-12));  // the order of summation differs
 }
 
 }  // namespace

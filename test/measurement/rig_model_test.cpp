@@ -111,7 +111,7 @@ TEST(RigModel, FindsRunningStart) {
   const Rate rate =
       rateOf(rigs, p, finding::kRunningStart, [](const VirtualLog& log) { return log.transient; }, "running start");
   EXPECT_GE(rate.covered, kCovered * rate.found);
-  EXPECT_GE(rate.share(rate.found), 0.4);  // those of the others are below the noise
+  EXPECT_GE(rate.share(rate.found), 0.4);  // the other transients are below the noise
   EXPECT_LE(rate.share(rate.others), 2.0 * kFalse);
 }
 

@@ -158,7 +158,7 @@ TEST(Promotion, RefusesWhatCannotBe) {
   EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("no model is promoted"));
   channel.promote(withFriction());
   EXPECT_THAT(refusalOf([&] { channel.promote(withFriction()); }), HasSubstr("after a rollback"));
-  channel.rollBack();  // out of the shadow, which takes effect without a sample
+  channel.rollBack();  // from the shadow; this needs no sample
   EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("no model is promoted"));
   channel.promote(withFriction());
   EXPECT_EQ(channel.running().stage, RunStage::shadow);

@@ -67,7 +67,7 @@ class Fault : public testing::Test {
     }
   }
 
-  // Checks the counters, which diagnostics publish once per second. Drops that `expected` does not list must be zero.
+  // Checks the counters, which diagnostics publish once per second. Those that `expected` does not list must be zero.
   void expectCounts(std::map<std::string, long> expected) {
     for (const char* key : {"dropped", "dropped, not finite", "dropped, force not finite", "dropped, repeated stamp",
                             "dropped, stepped back", "dropped, disabled", "dropped, undecodable",

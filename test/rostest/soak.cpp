@@ -11,8 +11,7 @@ TEST(Soak, EverySampleHasItsForceAndMemoryStays) {
   EXPECT_EQ(result.sent, kSamples);
   EXPECT_EQ(result.answered, result.sent);
   EXPECT_EQ(result.surplus, 0U);
-  // Buffers and queues grow to their size during the first tenth. Eight bytes kept of every later sample would be 2.9
-  // MB.
+  // Buffers and queues reach their size in the first tenth. Eight bytes kept of every later sample are 2.9 MB.
   ASSERT_EQ(result.memory.size(), 100U);
   ASSERT_GT(result.memory[9], 0);
   EXPECT_LT(result.memory.back() - result.memory[9], 1500000);

@@ -102,7 +102,7 @@ class Stream:
         return tcpros.text(header(self.sequence, stamp) + struct.pack("<d", displacement))
 
     def fault(self, kind):
-        """Return a sample with a fault, and count what it is expected to be counted as."""
+        """Return a sample with a fault; update the expected counters."""
         if kind in ("nan", "inf", "-inf"):
             self.counts["dropped, not finite"] += 1
             return self.one(self.stamp + MILLISECOND, float(kind))
