@@ -110,8 +110,8 @@ TEST(EvidenceOfNoise, IsThatOfAPowerThatDoesNotFollowTheMotion) {
       Elements elements = elementsOf(rig);
       elements[1].values["stiffness"][0] *= of_maxwell;
       const Examined examined = examine(runRig(rig, p), elements);
-      const double evidence = evidenceOfNoise(examined.record, examined.fit.residual, examined.faults.usable());
-      found += evidence > 5.0 ? 1 : 0;
+      const auto evidence = evidenceOfNoise(examined.record, examined.fit.residual, examined.faults.usable());
+      found += evidence.value_or(0.0) > 5.0 ? 1 : 0;
     }
     return found;
   };
