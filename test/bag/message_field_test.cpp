@@ -5,13 +5,59 @@
 #include <rosbag/bag.h>
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Float64.h>
-#include <topic_tools/shape_shifter.h>
 
 #include <cstring>
 
 #include "bag/bag_log.h"
 #include "support/scratch_folder.h"
 #include "support/test.h"
+
+namespace rubber_suspension {
+
+// The bytes of a message, with any definition.
+struct RawMessage {
+  std::string definition;
+  std::vector<std::uint8_t> bytes;
+};
+
+}  // namespace rubber_suspension
+
+namespace ros {
+namespace message_traits {
+
+template <>
+struct MD5Sum<rubber_suspension::RawMessage> {
+  static const char* value(const rubber_suspension::RawMessage&) { return "0123456789abcdef0123456789abcdef"; }
+};
+
+template <>
+struct DataType<rubber_suspension::RawMessage> {
+  static const char* value(const rubber_suspension::RawMessage&) { return "odd/Message"; }
+};
+
+template <>
+struct Definition<rubber_suspension::RawMessage> {
+  static const char* value(const rubber_suspension::RawMessage& message) { return message.definition.c_str(); }
+};
+
+}  // namespace message_traits
+
+namespace serialization {
+
+template <>
+struct Serializer<rubber_suspension::RawMessage> {
+  template <class Stream>
+  static void write(Stream& stream, const rubber_suspension::RawMessage& message) {
+    const auto size = static_cast<std::uint32_t>(message.bytes.size());
+    std::memcpy(stream.advance(size), message.bytes.data(), size);
+  }
+  static std::uint32_t serializedLength(const rubber_suspension::RawMessage& message) {
+    return static_cast<std::uint32_t>(message.bytes.size());
+  }
+};
+
+}  // namespace serialization
+}  // namespace ros
 
 namespace rubber_suspension {
 namespace {
@@ -98,14 +144,10 @@ TEST_F(MessageField, IsRefusedByNameWhereItIsNotThere) {
 // Reads the field `data` of two messages whose bytes are a count, which no element follows, and the number 3.
 log::Log readWithDefinition(const std::string& definition, std::uint32_t count) {
   const TemporaryFile file("odd.bag", "");
-  std::vector<std::uint8_t> bytes(sizeof count + sizeof(double));
   constexpr double kNumber = 3.0;
-  std::memcpy(bytes.data(), &count, sizeof count);
-  std::memcpy(bytes.data() + sizeof count, &kNumber, sizeof kNumber);
-  topic_tools::ShapeShifter message;
-  message.morph("0123456789abcdef0123456789abcdef", "odd/Message", definition, "");
-  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  message.read(stream);
+  RawMessage message{definition, std::vector<std::uint8_t>(sizeof count + sizeof kNumber)};
+  std::memcpy(message.bytes.data(), &count, sizeof count);
+  std::memcpy(message.bytes.data() + sizeof count, &kNumber, sizeof kNumber);
   {
     rosbag::Bag bag(file.path(), rosbag::bagmode::Write);
     bag.write("/odd", stampAt(0), message);
