@@ -120,7 +120,7 @@ Case stepCase(const std::string& name, std::size_t samples, std::size_t bushes, 
                        &SixDirectionBench::stepSingles, "step of six", bench->count());
   const bool same = coupling == component::Coupling::rectangular;
   result.error = [bench, same] { return same ? bench->error() : bench->finite(); };
-  result.error_meaning = same ? "of the largest force of a direction" : "forces that are not finite";
+  result.error_meaning = same ? "of the largest force of a direction" : "(number of forces that are not finite)";
   result.tolerance = same ? 1e-9 : 0.0;
   result.most = most;
   return result;

@@ -49,7 +49,7 @@ SoakResult soak(std::uint64_t samples, int components, const std::function<void(
 }
 
 void printMarkdown(const SoakResult& result, std::ostream& out) {
-  out << "| components | samples | with one force | forces too many | samples/s | resident after 1 %, at the end, at "
+  out << "| components | samples | with one force | surplus forces | samples/s | resident after 1 %, at the end, at "
          "most [MiB] |\n"
          "|---|---|---|---|---|---|\n"
       << fmt::format("| {} | {} | {} | {} | {:.0f} | {:.2f}, {:.2f}, {:.2f} |\n", result.components, result.sent,
