@@ -103,7 +103,8 @@ struct Options {
 void checkUse(const Options& options) {
   element::refuseIf<UsageError>(
       options.task == "make" && (options.jobs.empty() || options.output.empty() || !options.folder.empty()),
-      "make: needs --jobs and --output, and no other folder; accepted: campaign make --jobs FILE --output FOLDER");
+      "make: needs the options --jobs and --output, and no other argument; accepted: campaign make --jobs FILE "
+      "--output FOLDER");
   element::refuseIf<UsageError>(options.task != "make" && options.folder.empty(),
                                 "{}: the folder of the campaign is missing; accepted: campaign {} FOLDER", options.task,
                                 options.task);

@@ -83,7 +83,7 @@ const ElementEntry kFirstLoadingEntry(
           {{"stiffness", "N/m", Role::scale, Range::positive(),
             "additional stiffness k just beyond the largest past displacement"},
            {"yield_share", "1", Role::shape, Range::closed(1e-3, 1e3),
-            "share b of the displacement over which the force approaches its limit"},
+            "share b: the force approaches its limit within b times the displacement"},
            {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: at z > 0 only, -1: at z < 0 only, 0: both", 0.0},
            {"dead_band", "m", Role::choice, Range::nonNegative(), kDeadBand, 0.0}},
           [](const ElementDescription& description) -> ElementPointer {

@@ -363,7 +363,8 @@ bool isSolvable(Model model, const Specification& specification) {
 
 std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& given) {
   element::refuseIf(!given.points().empty() || given.describes() == Describes::component,
-                    "describes: the numbers do not describe a base; accepted: the numbers that resolve() returns");
+                    "describes: the specification is not that of the model alone; accepted: the specification that "
+                    "resolve() returns");
   checkSpecification(model, given);
   const Specification specification = tangentOf(model, given);
   if (const auto obstacle = findObstacle(entry(model), specification)) {

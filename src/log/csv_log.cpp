@@ -579,7 +579,7 @@ class CsvLogReader {
     text += header_.has_units_row ? " with a row of units" : "";
     text += ", separator " + toString(header_.separator);
     text += marks_.hasDecimalComma() ? ", decimal comma" : "";
-    text += marks_.hasThousands() ? ", marks between thousands" : "";
+    text += marks_.hasThousands() ? ", thousands separators" : "";
     return text + (coding_.empty() ? "" : ", " + coding_);
   }
 

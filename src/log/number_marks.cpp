@@ -106,7 +106,7 @@ void NumberMarks::settle(char decimal, std::string_view text, std::size_t line) 
   }
   element::refuseIf<std::runtime_error>(decimal_ != '\0',
                                         "{} has a decimal {}, but {} has a decimal {}; accepted: one decimal mark "
-                                        "throughout, with only the other mark between thousands",
+                                        "throughout, with only the other mark as thousands separator",
                                         quoted(std::string(text)), nameOfMark(decimal),
                                         told_               ? "--decimal"
                                         : decimal_line_ > 0 ? fmt::format("line {}", decimal_line_)
@@ -210,7 +210,7 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
     const bool either = column.told == '\0' && column.line > 0 && !column.decimals && column.unmarked && !column.large;
     // The decimal mark of another column decides, unless a smooth channel jumps with it.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
-      const std::string option = by_option ? optionFor(column, i) : "a file without marks between thousands";
+      const std::string option = by_option ? optionFor(column, i) : "a file without thousands separators";
       throw RowError(column.line, fmt::format("{}: the mark in '{}' may be decimal or separate thousands, because no "
                                               "other number decides it; accepted: {}",
                                               names[i], column.text, option));

@@ -37,7 +37,7 @@ class NumberMarks {
     }
   }
 
-  /// Returns the number with a decimal point and without marks between thousands, ended by a 0; valid until the next
+  /// Returns the number with a decimal point and without thousands separators, ended by a 0; valid until the next
   /// call. Throws std::runtime_error if the marks contradict others, and OtherDecimalMark.
   const char* normalised(std::string_view field, std::size_t channel, const std::string& name, std::size_t line);
   const char* end() const { return end_; }
@@ -69,13 +69,13 @@ class NumberMarks {
     char told = '\0';       // decimal mark given by the user; '\0': that of the file
     bool decimals = false;  // some marks are certainly decimal
     bool unmarked = false;
-    bool large = false;    // an unmarked number of 1000 or more, so that none has marks between thousands
+    bool large = false;    // an unmarked number of 1000 or more, so that none has thousands separators
     std::size_t line = 0;  // of the first ambiguous number; 0: none
     std::string text;      // the first ambiguous number
     double last = 0.0;
     int last_marked = -1;       // 1, 0; -1: no number yet
     double as_decimals = 0.0;   // sum of relative steps between marked and unmarked numbers, with decimal marks
-    double as_thousands = 0.0;  // the same with marks between thousands
+    double as_thousands = 0.0;  // the same with thousands separators
   };
 
   std::string optionFor(const ColumnMarks& column, std::size_t channel) const;

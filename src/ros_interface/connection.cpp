@@ -24,7 +24,7 @@ constexpr double kAnswerLimit = 5.0;  // [s]
 XmlRpcValue ask(const std::string& uri, const std::string& method, const std::vector<std::string>& arguments = {}) {
   const auto answer = call(kAnswerLimit, uri, method, callArguments(arguments));
   if (!answer) {
-    throw XmlRpc::XmlRpcException("no answer");
+    throw XmlRpc::XmlRpcException("no answer to the call " + method);
   }
   return (*answer)[2];
 }

@@ -264,7 +264,7 @@ void NodeDiagnostics::watch(node::ComponentChannel& channel, const SampleServer&
     }
     status.add("running", node::toString(watched.running.stage));
     if (!watched.running.added.empty()) {
-      status.add("running, elements added", fmt::format("{}", fmt::join(watched.running.added, ", ")));
+      status.add("elements added to the running model", fmt::format("{}", fmt::join(watched.running.added, ", ")));
     }
   });
 }

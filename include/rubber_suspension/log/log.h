@@ -99,7 +99,7 @@ constexpr std::size_t kMaximumLogLine = 64 * 1024;  // bytes
 /// separated by commas. Other forms are read with a note on how they were interpreted: plain names in English and
 /// German with a unit behind them or in a row of units; columns of other names if exactly one has a unit of length, of
 /// force, of time; any unit of UDUNITS-2; times as a clock or a calendar shows them; semicolons, tabs or blanks as
-/// separators; decimal commas; marks between thousands; quotes; comments and a preamble; UTF-8, UTF-16, Latin-1; LF,
+/// separators; decimal commas; thousands separators; quotes; comments and a preamble; UTF-8, UTF-16, Latin-1; LF,
 /// CRLF, CR; gzip (docs/logs.md). Further columns, rows that repeat the preceding one, and a small share of rows
 /// without a number are omitted with a note. Times are rounded to nanoseconds. Throws LogError with file, line and
 /// reason for columns and marks that are ambiguous, with the option that resolves them; a field that is no number; a

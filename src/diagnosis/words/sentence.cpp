@@ -97,7 +97,7 @@ std::string withheldNote(const Diagnosis& diagnosis) {
     const bool values = one.effect == "values";
     note += fmt::format(
         " {} not written: with {}, the gap of the component file would be {} on {}, but it is {} as configured.",
-        values ? "Other values are" : capitalised(spoken(one.effect)) + " is", values ? "them" : "it",
+        values ? "Other parameter values are" : capitalised(spoken(one.effect)) + " is", values ? "them" : "it",
         percent(one.after, 2), one.log == "all logs" ? one.log : "log " + one.log, percent(one.before, 2));
   }
   return note;
