@@ -244,7 +244,8 @@ void Signals::dropSentinels(SignalRow& row) {
   }
 }
 
-// Throws if a later number repeats that would have been a code of missing values in the rows examined at once.
+// Throws if a later value far outside the range repeats: at the beginning of the log it would have been taken for a
+// code of missing values.
 void Signals::watchRange(std::size_t signal, const SignalRow& row) {
   Signal& state = signals_[signal];
   const double value = row.value[signal];

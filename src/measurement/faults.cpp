@@ -184,7 +184,7 @@ std::optional<Hole> spikeAt(const Channel& channel, Index begin) {
 // factor where samples miss them, or where the force is steeper than elsewhere.
 constexpr double kAlike = 0.2;
 
-// True if a corner belongs to a spike elsewhere than the hole: the neighbours of a spike have corners as well.
+// True if a corner is due to a spike at another place than the hole: samples beside a spike have corners as well.
 bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
   for (Index i = corner - 2; i <= corner + kLongestSpike + 1; ++i) {
     const bool elsewhere = i < hole.begin - 1 || i > hole.begin + hole.width;

@@ -24,8 +24,8 @@ inline void addTile(const double* const* left, const double* const* right, std::
   }
 }
 
-/// Adds the products of columns with others, tile by tile, to their sums; if both are the same, only those of the upper
-/// triangle. The number of samples is a multiple of eight.
+/// Adds the products of left columns with right columns to `sums`, tile by tile. If both are the same columns, it adds
+/// only the upper triangle. The number of samples is a multiple of eight.
 inline void addProducts(const double* const* left, std::size_t left_tiles, const double* const* right,
                         std::size_t right_tiles, bool same, std::size_t count, double* sums) {
   for (std::size_t row = 0; row < left_tiles; ++row) {

@@ -146,7 +146,8 @@ TEST(Refusal, NamesTheIntervalOfTheDynamicStiffness) {
   const Values values = with(kFiveInputs, "maxwell_elements", 2.0);
   const std::string message = refusal(estimation::Model::multi_maxwell, values);
   EXPECT_THAT(message, HasSubstr("dynamic_stiffness: 4.2e+06 N/m"));
-  // The bounds have all stiffness in the last or in the first element: f_l = 5 Hz, q = sqrt(5).
+  // At the bounds, only the last or only the first element has stiffness. The bands of the elements have the edges 5,
+  // 5 sqrt(5) and 25 Hz, and the break frequency is the mean of two edges.
   const auto single = [](double break_frequency) {
     const std::complex<double> ratio(0.0, 4.0 / break_frequency);
     return std::abs(3e6 + 1.9e6 * ratio / (1.0 + ratio));

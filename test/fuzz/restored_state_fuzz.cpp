@@ -13,7 +13,7 @@ using rubber_suspension::component::StreamForce;
 
 namespace {
 
-/// Replaces numbers of the memory, by whole ones, such as indices and counts, or by any.
+/// Replaces some numbers of the memory by whole numbers, as indices and counts are, or by arbitrary numbers.
 std::vector<double> chosenMemory(Bytes& bytes, std::vector<double> memory) {
   std::uint8_t changes = 0;
   bytes.read(changes);

@@ -351,7 +351,8 @@ TEST(ComponentDescription, IsValidWhereItSaysNothingWithinItsTables) {
   EXPECT_FALSE(io::parseComponentFile(friction, "").front().validDisplacement());  // a nominal amplitude is not a bound
 }
 
-// Absolute temperatures convert with the offset of their scale, differences without; b_T = T/T_0 has coefficient 1/T_0.
+// Absolute temperatures are converted with the offset of their scale, differences without it. The factor b_T = T/T_0 of
+// the force has the coefficient 1/T_0.
 TEST(ComponentFile, TemperatureWithUnits) {
   const io::ComponentDescription bush = parse(kWithTemperature).at(0);
   ASSERT_TRUE(bush.temperature);

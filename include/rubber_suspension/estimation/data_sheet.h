@@ -33,7 +33,7 @@ struct DataSheetResult {
   std::vector<std::string> notes;  ///< derivations and their reliability
 };
 
-/// Turns a data sheet into a specification; numbers by the names of dataSheetParameters() and
+/// Turns a data sheet into a specification. The keys of `values` are the names in dataSheetParameters() and
 /// specificationParameters().
 ///
 /// - static_stiffness may be replaced by shore_a, loaded_area, layer_thickness, shape_factor (and layers): in

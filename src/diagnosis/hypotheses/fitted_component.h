@@ -13,7 +13,7 @@ namespace rubber_suspension::diagnosis::hypotheses {
 /// table.
 std::vector<element::ElementDescription> entriesOf(const FittedHypothesis& fitted);
 
-/// Returns the model with the parameters of a fit and its entries added.
+/// Returns the model with the parameters of a fitted hypothesis, and adds the entries of that hypothesis.
 io::ComponentDescription augmentedDescription(const fit::ModelParameters& model, const FittedHypothesis& fitted);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses
