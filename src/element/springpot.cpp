@@ -90,7 +90,7 @@ const ElementEntry kSpringpotEntry(
            {"order", "1", Role::shape, Range::open(0.0, 1.0), "order alpha; 0 would be a spring, 1 a dashpot"},
            {"reference_frequency", "Hz", Role::reference, Range::positive(), "reference frequency f_r", 1.0},
            {"low_frequency", "Hz", Role::choice, Range::positive(),
-            "lower end of the range in which K* is exact to 0.1 %; far below it the element relaxes", 0.001},
+            "lower end of the range in which K* is exact to 0.1 %; far below it K* tends to 0", 0.001},
            {"high_frequency", "Hz", Role::choice, Range::positive(), "upper end of this range", 1000.0}},
           [](const ElementDescription& description) -> ElementPointer {
             checkRange(description);

@@ -145,8 +145,9 @@ char decimalMark(const std::string& text) {
   if (text == "," || text == "comma") {
     return ',';
   }
-  throw std::invalid_argument(
-      fmt::format("--decimal: {}; accepted: , or . (comma or point), or of one column, as in force=,", quoted(text)));
+  throw std::invalid_argument(fmt::format(
+      "--decimal: {}; accepted: , or . (comma or point), or one of these for a single column, such as force=,",
+      quoted(text)));
 }
 
 // Reads "," for all columns, or "force=," for one.

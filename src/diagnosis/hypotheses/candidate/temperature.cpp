@@ -105,10 +105,11 @@ std::vector<HeadlineValue> changesPerKelvin(const Effect::Entries& entries) {
 }
 
 Effect temperature() {
-  Effect effect{105, "temperature",
-                "rates and stiffness that depend on temperature: the gap follows the column temperature_degC, which "
-                "the logs need",
-                false, addTemperature};
+  Effect effect{
+      105, "temperature",
+      "rates and stiffness that depend on temperature: the gap follows the temperature; only for logs with the "
+      "column temperature_degC",
+      false, addTemperature};
   effect.headline = changesPerKelvin;
   effect.headline_types = {"arrhenius_shift", "transition_shift", "vertical_shift", "wlf_shift"};
   return effect;
