@@ -32,7 +32,7 @@ enum class HelpSize {
 /// 100 characters.
 std::string helpText(const Command& command, const OptionTable& table, HelpSize size);
 
-/// Returns a number as text for a help or an error: 100000 and 0.01, not 1e+05.
+/// Returns a number as text for help and errors: 100000 and 0.01, not 1e+05.
 std::string numberText(double number);
 
 }  // namespace rubber_suspension::command_line

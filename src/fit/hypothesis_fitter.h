@@ -140,7 +140,8 @@ class HypothesisFitter {
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
   /// Moves by a step, or by part of it; returns false if none improves the fit noticeably.
   bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;
-  /// Iterates to the end and returns the normal equations there. `longest`: step of a model parameter's logarithm.
+  /// Iterates until a step improves the fit too little or a limit is reached, and returns the normal equations there.
+  /// `longest`: largest change of the logarithm of a model parameter in one step.
   BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest, Place& place) const;
   /// Returns the parameters after a step; scales stay within their bounds, and negligible ones become 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,

@@ -21,7 +21,8 @@ std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& sca
 /// component's for the same displacements [N]; otherwise by its amplitude. Returns nullopt if it is not odd.
 std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale);
 
-/// Describes an odd log before a simulation, by the component's static force at the ends of the log's displacement.
+/// Describes a log that is odd for a component, as above, but without a simulation: by the static force at the largest
+/// and the smallest displacement of the log.
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
 
 /// Describes the part of a log beyond the displacements for which a component is valid; nullopt if there is none, or

@@ -58,7 +58,8 @@ bool isAboutTwo(double ratio) {
   return apart(apart(ratio, 1.0), kPeakToPeak) < kExactly;
 }
 
-// Returns the factor of units that is nearest to a ratio, within the tolerance of large or small factors.
+// Returns the factor between two units that is nearest to a ratio. `of_large` and `of_small`: factors by which a ratio
+// may differ from a large and a small factor between units; nullopt if each differs by more.
 std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_small) {
   std::optional<UnitFactor> best;
   for (UnitFactor unit : kUnitFactors) {
@@ -174,7 +175,8 @@ struct Shown {
   bool givesEnergy() const { return work_forward < -leastWork(); }
   bool takesEnergy() const { return work_forward > leastWork() || work > std::max(3.0 * work_deviation, 1e-9); }
 
-  // Returns the factor by which the measured force is too large if all else is right; for a damper only a large one.
+  // Returns the factor by which the measured force is too large if all else is right; nullopt if there is none. For a
+  // damper, a factor that effects can cause does not count.
   std::optional<double> scale() const {
     if (isElastic()) {
       return simulated_slope.stiffness > 0.0 && measured.stiffness > 0.0 ? std::optional(ratio) : std::nullopt;

@@ -49,7 +49,7 @@ TEST(CharacteristicErrors, AreThoseOfTheModel) {
 
 TEST(CharacteristicErrors, AreTheSameOfASlowerTest) {
   const diagnosis::CharacteristicErrors fast = Measured(1e-3).errors();
-  // The factor is a power of two, so that windows end at the same samples.
+  // The factor is a power of two, which causes no rounding, so windows end at the same samples.
   const diagnosis::CharacteristicErrors slow = Measured(1024.0 * 1e-3).errors();
   EXPECT_EQ(fast.stiffness, slow.stiffness);
   EXPECT_EQ(fast.loss_angle, slow.loss_angle);

@@ -34,7 +34,8 @@ TEST(ModelParameters, LeaveTheConfiguredModelAsItIs) {
   }
 }
 
-// Coordinates are chosen so that every point off by a factor of up to 3, with any alpha, has a valid model.
+// The parameters are chosen so that any combination of them is a valid model: each up to a factor of 3 off, and alpha,
+// the ratio of neighbouring stiffnesses, anywhere within its bounds.
 TEST(ModelParameters, HaveAModelEverywhere) {
   const fit::ModelParameters model(fiveInputs(), fit::Level::specification);
   std::mt19937 generator(3);

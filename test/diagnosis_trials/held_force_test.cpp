@@ -19,7 +19,8 @@ log::Log moved(const std::string& name, unsigned seed) {
   return withNoise(runRig(name, seed, rigFriction(), 5.0), seed);
 }
 
-// Moves from rest to a first place within a second, holds it for eight, and holds a second place for ten.
+// Returns a log that moves from 0 to `first` within 1 s, holds it for 8 s, moves to `second` within 1 s, and holds it
+// for 10 s (both in metres).
 log::Log held(const std::string& name, unsigned seed, double first, double second) {
   const auto motion = [=](double time) {
     const double rate = time < 1.0 ? first : time > 9.0 && time < 10.0 ? second - first : 0.0;

@@ -21,7 +21,7 @@ TEST(SettledLoop, HasNoLossBelowRounding) {
   EXPECT_EQ(response::simulateSettledLoop(contact, 1.0, 1e-3).characteristics().loss_angle, 0.0);
 }
 
-// Simulates 4 s, after which the transient of the slowest element below is exp(-35).
+// Simulates at least 4 s. By then the transient of the slowest element of kLinear has decayed to exp(-35).
 Complex simulatedStiffness(const Entries& elements, double frequency, int samples) {
   const int cycles = static_cast<int>(std::ceil(4.0 * frequency)) + 1;
   return settledStiffness(component::Component(elements), frequency, samples, cycles);

@@ -71,10 +71,12 @@ class RigModel {
   /// `masks`: samples that count, one per record; empty: all. Throws std::invalid_argument if sizes differ.
   RigModel(std::vector<gap::PreparedRecord> records, std::vector<Mask> masks, const io::RigTolerances& tolerances);
 
-  /// Returns columns and priors of each log about simulated forces. `simulate` is called once with all displacements
-  /// shifted by a hundredth of their range (without it, displacement offsets are not free), and up to four times with a
-  /// motion before logs that start in motion or displaced: from the log's own first quarter, its highest or lowest
-  /// displacement, or rest. The first samples of the force bound the initial state. `points`: where to linearise.
+  /// Returns columns and priors of the nuisances of each log, linearised at the simulated forces. `simulate` is called
+  /// once with all displacements shifted by a hundredth of their range; if it is null, displacement offsets are not
+  /// free. It is also called up to four times with a motion before each log that starts in motion or displaced: the
+  /// first quarter of the log, or a motion from its highest displacement, its lowest displacement, or rest. The prior
+  /// of the initial state is at most the error of the simulated force in the first samples. `points`: where to
+  /// linearise.
   std::vector<RigColumns> columns(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate,
                                   const std::vector<RigPoint>& points = {}) const;
 

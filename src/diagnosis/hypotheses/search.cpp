@@ -376,7 +376,7 @@ class Searcher {
   Odds odds() const { return oddsAt(result_, result_.noise.floor); }
   double oddsOf(const FittedHypothesis& fitted) const { return oddsOf(fitted, result_.noise.floor); }
 
-  // Odds under the assumption that no set has an error below a floor.
+  // Odds of a fit under the assumption that no set of effects has an error below a floor.
   double oddsOf(const FittedHypothesis& fitted, double floor) const {
     return oddsAt(result_, floor).of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   }

@@ -19,7 +19,8 @@ constexpr double kClearlyBetter = 0.99;  // ratio of two scores
 // Change of the logarithm of a model parameter beyond which a second fit starts from the configured values.
 constexpr double kFar = 0.2;
 
-// Number of the longest steps from the specified value of a parameter to the farthest value that a fit may reach.
+// Returns how many of the longest steps lead from the specified value of a parameter to its bound, or the least number
+// of iterations if that is larger.
 int singleIterations(const fit::HypothesisFitter& fitter) {
   const double farthest = std::log(fitter.model().largestRatio());
   return std::max(kLeastIterations, static_cast<int>(std::ceil(farthest / fit::kLongestStep)));

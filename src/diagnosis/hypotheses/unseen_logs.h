@@ -25,7 +25,8 @@ gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& f
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<gap::PreparedRecord>& records);
 
-/// Returns the errors of forces predicted by elements, after removal of the per-log unknowns of a hypothesis.
+/// Returns the errors of forces that elements predict, without the part that the per-log unknowns of a hypothesis, such
+/// as an offset, explain.
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
                           const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records);
 

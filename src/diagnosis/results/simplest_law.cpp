@@ -280,8 +280,9 @@ class Chooser {
     gap_ = chosen.gap;
   }
 
-  // The element of an exact force, such as a mass, may not use future samples as that force does, and its refitted
-  // number compensates for that. The exact number is kept if it closes more than half of what the refitted one does.
+  // True if a term with an exact force, which is computed from later samples as well (BasisTerm::exact), is kept. Its
+  // element, such as a mass, can use past samples only, and a refitted number compensates for that. The exact number is
+  // kept if it removes more than half of the squared error that the refitted one removes.
   bool isExactEnough(std::size_t m, double gap_of_fitted) const {
     const bool is_exact = own_[m].size() == 1 && termAt(own_[m].front()).exact;
     return is_exact && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
