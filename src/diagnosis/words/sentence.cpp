@@ -212,7 +212,7 @@ double shareOfValues(const Diagnosis& diagnosis) {
   return diagnosis.shares.empty() ? 0.0 : diagnosis.shares.front().share;
 }
 
-// "of the gap as configured, friction removes 84 % and other values remove 6 %".
+// "of the gap as configured, friction removes 84 % and other parameter values remove 6 %".
 std::string sharesText(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (auto part = diagnosis.shares.rbegin(); part != diagnosis.shares.rend(); ++part) {
@@ -220,7 +220,7 @@ std::string sharesText(const Diagnosis& diagnosis) {
     if (isWithheld(diagnosis, part->by)) {
       continue;
     }
-    texts.push_back(fmt::format("{} {}{} {} %", values ? "other values" : part->by,
+    texts.push_back(fmt::format("{} {}{} {} %", values ? "other parameter values" : part->by,
                                 part->share < 0.0 ? "add" : "remove", values ? "" : "s",
                                 wholePercent(std::abs(part->share))));
   }
@@ -375,10 +375,11 @@ std::string judgementText(const Diagnosis& diagnosis) {
     case Verdict::none:
       return agreement(diagnosis);
     case Verdict::parameter_error:
-      return fmt::format("{}: other values remove {} % of the gap as configured, from {} to {}{} (noise {}).{}{}",
-                         diagnosis.parameters.guess ? "The data sheet is a guess" : ownValuesText(diagnosis),
-                         wholePercent(shareOfValues(diagnosis)), moved.before, moved.after, furtherText(diagnosis),
-                         moved.noise, values, otherwise(diagnosis) + besideValuesText(diagnosis));
+      return fmt::format(
+          "{}: other parameter values remove {} % of the gap as configured, from {} to {}{} (noise {}).{}{}",
+          diagnosis.parameters.guess ? "The data sheet is a guess" : ownValuesText(diagnosis),
+          wholePercent(shareOfValues(diagnosis)), moved.before, moved.after, furtherText(diagnosis), moved.noise,
+          values, otherwise(diagnosis) + besideValuesText(diagnosis));
     case Verdict::named:
       return withOwnValues(diagnosis, lacks) + "." + closes + values + remarkText(diagnosis);
     case Verdict::confounded:
@@ -418,7 +419,7 @@ std::string headline(const Diagnosis& diagnosis) {
       return agreement(diagnosis);
     case Verdict::parameter_error: {
       const ChangeTexts moved(gap.as_configured, gap.re_estimated, gap.noise_floor);
-      return fmt::format("{}: other values lower the gap from {} to {}{}, noise {}.",
+      return fmt::format("{}: other parameter values lower the gap from {} to {}{}, noise {}.",
                          diagnosis.parameters.guess ? "The data sheet is a guess" : "Values of the model are wrong",
                          moved.before, moved.after, furtherText(diagnosis), moved.noise);
     }
