@@ -274,7 +274,10 @@ class Chooser {
     }
     const Allowed chosen = std::exchange(laws.front(), {most, gap_, std::move(result_.fitted)});
     for (Allowed& law : laws) {
-      result_.others.push_back({std::move(law.law), oddsOver(chosen, law)});
+      // Only the element errs if the force is exact: its number is as likely as the refitted one.
+      const bool is_exact = &law == &laws.front() && hasExactForce(m);
+      const double odds = is_exact ? 1.0 : oddsOver(chosen, law);
+      result_.others.push_back({std::move(law.law), odds});
     }
     result_.fitted = chosen.law;
     gap_ = chosen.gap;
@@ -284,9 +287,10 @@ class Chooser {
   // element, such as a mass, can use past samples only, and a refitted number compensates for that. The exact number is
   // kept if it removes more than half of the squared error that the refitted one removes.
   bool isExactEnough(std::size_t m, double gap_of_fitted) const {
-    const bool is_exact = own_[m].size() == 1 && termAt(own_[m].front()).exact;
-    return is_exact && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
+    return hasExactForce(m) && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
   }
+
+  bool hasExactForce(std::size_t m) const { return own_[m].size() == 1 && termAt(own_[m].front()).exact; }
 
   // Odds as in the judgement, by the error beyond that of the better law. The count of numbers does not matter here,
   // because it is no evidence on the size of the effect.
