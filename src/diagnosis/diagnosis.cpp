@@ -1,4 +1,4 @@
-// The diagnosis from logs to a result: the bench, search, judgement, description.
+// Diagnoses logs: checks the bench, searches the hypotheses, judges them and describes the result.
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 #include <fmt/format.h>
@@ -89,7 +89,7 @@ Workings judged(const hypotheses::PreparedCase& prepared, hypotheses::Search sea
 
 using Records = std::vector<gap::PreparedRecord>;
 
-// The logs of the fit with the rig's priors, and the models to be fitted to them.
+// Prepares the models to be fitted and the logs of the fit, to which the priors of the rig's errors are added.
 std::unique_ptr<hypotheses::PreparedCase> withRigPriors(const io::ComponentDescription& component, Records training,
                                                         Records held_out) {
   const fit::ModelParameters model(component, fit::Level::specification);
@@ -103,8 +103,9 @@ struct JudgedCase {
   Workings workings;
 };
 
-// Searches and judges. Gains and offsets that differ between logs without a cause in the motion are errors of these
-// logs: they are freed there, and the search is repeated until it finds no further ones.
+// Searches and judges the hypotheses. If gains or offsets differ between logs without a cause in the motion, they are
+// errors of these logs. Such errors become free parameters of the logs, and the search is repeated until it finds no
+// further ones.
 JudgedCase searchedAndJudged(const io::ComponentDescription& component, Records training, Records held_out,
                              const DiagnosisOptions& options) {
   const std::vector<std::string> excluded = hypotheses::excludedEffects(component, options);
@@ -123,7 +124,7 @@ JudgedCase searchedAndJudged(const io::ComponentDescription& component, Records 
   }
 }
 
-// Rig findings in the units of a rotation, because measurement/ treats a rotation as a displacement.
+// Converts rig findings to the units of a rotation. The sources in measurement/ treat every motion as a displacement.
 std::vector<RigFinding> ofRotation(std::vector<RigFinding> findings) {
   for (RigFinding& finding : findings) {
     finding.unit = io::rotationalUnit(finding.unit);
@@ -160,7 +161,7 @@ Diagnosis inWords(const fit::Fitter& fitter, const experiment::NextExperiment& n
   return result;
 }
 
-// Removes the lines that mains or a pump add to the force of each log.
+// Removes hum of the mains or of a pump, which consists of lines in the spectrum, from the force of each log.
 std::vector<RigFinding> removeLines(const io::ComponentDescription& component, std::vector<log::Record>& records,
                                     std::vector<prepare::RawChannels>& raw) {
   prepare::RigLines lines =
@@ -174,7 +175,7 @@ std::vector<RigFinding> removeLines(const io::ComponentDescription& component, s
   return std::move(lines.findings);
 }
 
-// `recorded`: the whole logs, for the gap as recorded.
+// `recorded` are the whole logs, from which the gap as recorded is computed.
 Diagnosis diagnoseExcerpts(const io::ComponentDescription& component, const prepare::Excerpts& excerpts,
                            const std::vector<prepare::LogSurvey>& recorded, const DiagnosisOptions& options) {
   std::vector<PreparedLog> prepared = preparedLogs(excerpts, options.threads);
@@ -215,8 +216,8 @@ double largestOf(const std::vector<double>& signal) {
       .lpNorm<Eigen::Infinity>();
 }
 
-// Error of a fit that needs a parameter beyond the range of every law. It names the log with the largest ratio of force
-// to displacement.
+// Returns the error for a fit that needs a parameter beyond the range of every law. The error names the log with the
+// largest ratio of force to displacement.
 log::LogError beyondAllLaws(const std::vector<log::Log>& logs, const char* number) {
   const auto stiffness = [](const log::Log& log) { return largestOf(log.force) / largestOf(log.displacement); };
   const auto log = std::max_element(logs.begin(), logs.end(),

@@ -1,4 +1,4 @@
-// The list of effects, and the headline numbers of entries of a component file.
+// The list of effects, and the numbers of a component file that reports state first.
 #include "diagnosis/effect.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// A local static, because the static objects of different files are constructed in no defined order.
+// The list is local, because static objects of different files are constructed in an undefined order.
 std::vector<Effect>& entered() {
   static std::vector<Effect> list;
   return list;
@@ -29,7 +29,7 @@ std::vector<Effect> inOrder() {
   return list;
 }
 
-// The effect whose headline numbers include entries of this type; null if there is none.
+// Returns the effect whose headline numbers include entries of this type, or null if there is none.
 const Effect* toldBy(const std::string& type) {
   const auto found = std::find_if(effects().begin(), effects().end(), [&](const Effect& effect) {
     const auto& types = effect.headline_types;
@@ -58,7 +58,7 @@ std::vector<fit::Candidate> candidates(const fit::Excitation& excitation) {
   return element::each(effects(), [&](const Effect& effect) {
     fit::Candidate candidate{effect.name, effect.documentation, effect.on_rig, {}};
     effect.add_terms(excitation, candidate);
-    // For tiny motion, typical coefficients of high powers exceed the range of any law.
+    // For tiny motions, the typical coefficients of terms of high powers exceed the range of every law.
     std::vector<fit::BasisTerm>& terms = candidate.terms;
     terms.erase(std::remove_if(terms.begin(), terms.end(), [](const auto& term) { return term.typical > term.upper; }),
                 terms.end());

@@ -1,4 +1,4 @@
-// Checks that verdict, gaps, noise floor, intervals, sizes and probabilities of a report agree.
+// Checks that the verdict, gaps, noise floor, intervals, sizes and probabilities of a report are consistent.
 #include "diagnosis/invariants.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 constexpr double kRounding = 1e-9;
-constexpr double kReplayed = 1e-3;  // relative difference between gaps from blocks and from whole logs
+constexpr double kReplayed = 1e-3;  // relative difference between gaps of blocks and gaps of whole logs
 constexpr double kWorthListing = 0.02;
 
 bool nearly(double a, double b, double tolerance = kRounding) { return std::abs(a - b) <= tolerance; }
@@ -96,8 +96,8 @@ bool setsAreProbable(const Diagnosis& d) {
                                                     [&](const auto& set) { return all(set, listed); });
 }
 
-// No fit predicts held-out blocks better than the blocks of the fit, except by chance. The error is infinite if the law
-// has no finite force on some log.
+// Returns true if every hypothesis fits its own data at least as well as held-out data, up to chance. An infinite gap,
+// of a law without a finite force on some log, is accepted.
 bool noFitPredictsBetter(const Diagnosis& d) {
   const auto holds = [](const hypotheses::FittedHypothesis& fitted) {
     const fit::Fit& fit = fitted.fit;
@@ -115,7 +115,8 @@ bool floorIsLeast(const Diagnosis& d) {
          all(d.candidates, [&](const CandidateResult& c) { return d.gaps.unseen.noise_floor <= c.gap + kRounding; });
 }
 
-// Named effects explain more than other values do, or as much with values nearer to the data sheet.
+// Returns true if the named effects close more of the gap than re-estimated values alone, or more than none of it with
+// values nearer to the data sheet than the re-estimated ones.
 bool whatIsNamedCloses(const Diagnosis& d) {
   if (d.answer.effects.empty() || !d.law.withheld.empty()) {
     return true;
@@ -136,7 +137,8 @@ bool intervalHoldsWhatIsClosed(const Diagnosis& d) {
          (d.gaps.closed_interval[0] <= d.gaps.closed && d.gaps.closed <= d.gaps.closed_interval[1]);
 }
 
-// No value that the sentence could begin with is farther from the component file than the one that it begins with.
+// Returns true if the value at the beginning of the sentence deviates most from the component file, among all values
+// with which the sentence could begin.
 bool headlineIsTheLargest(const Diagnosis& d) {
   const SizedValue* const headline = words::headlineValue(d);
   return all(words::changedValues(d), [&](const SizedValue* size) {
@@ -144,7 +146,7 @@ bool headlineIsTheLargest(const Diagnosis& d) {
   });
 }
 
-// An interval of a value other than 0 that ends at 0 ends at a bound of the fit.
+// Returns true if each interval that ends at 0, of a value other than 0, is marked as limited by a bound of the fit.
 bool boundsAreSaid(const Diagnosis& d) {
   const auto holds = [](const SizedValue& size) {
     return size.interval_95[0] != 0.0 || size.value == 0.0 || size.at_bound[0];
@@ -152,7 +154,7 @@ bool boundsAreSaid(const Diagnosis& d) {
   return all(d.law.model_sizes, holds) && all(d.law.effect_sizes, holds);
 }
 
-// The reason why a candidate is not named agrees with its gap.
+// Returns true if the reason why a candidate is not named is consistent with its gap.
 bool reasonsAgree(const Diagnosis& d) {
   return all(d.candidates, [&](const CandidateResult& c) {
     const words::Out reason = words::reasonOf(d, c);
@@ -176,15 +178,15 @@ bool isInPieces(const Diagnosis& d) {
   });
 }
 
-// The gaps of the logs agree with those of `replay` as recorded, and with the held-out gap after removal of the errors
-// of the rig. Without held-out logs, that gap is of blocks outside the fit and therefore larger.
+// Returns true if the gaps of the logs agree with the gaps as recorded and, after removal of the errors of the rig,
+// with the held-out gap. Without hold-outs, the held-out gap is that of blocks outside the fit, which may be larger.
 bool takenOutExplainsTheGaps(const Diagnosis& d) {
   const bool held_out = !all(d.logs.admission, [](const Admission& log) { return !log.hold_out; });
   std::vector<Admission> logs;
   std::copy_if(d.logs.admission.begin(), d.logs.admission.end(), std::back_inserter(logs),
                [&](const Admission& log) { return log.hold_out == held_out; });
   if (logs.empty() || d.samples.searched != d.samples.recorded || isInPieces(d)) {
-    return true;  // a table, or parts of logs
+    return true;  // a table was diagnosed, or only parts of the logs
   }
   const double recorded = std::sqrt(sumOf(logs, [](const Admission& log) { return log.recorded * log.recorded; }) /
                                     static_cast<double>(logs.size()));
@@ -218,8 +220,8 @@ bool isWritten(const Diagnosis& d, const std::string& effect) {
   return std::count(d.law.added_for.begin(), d.law.added_for.end(), effect) > 0;
 }
 
-// The file has no larger residual than the configured component, in each log and in all together; effects that would
-// increase it are withheld.
+// Returns true if the written component has no larger residual than the configured one, on each log and on all logs
+// together. Effects that would increase the residual are withheld.
 bool fileLeavesNoMore(const Diagnosis& d) {
   const auto square = [](double gap) { return gap * gap; };
   const double pooled =
@@ -232,7 +234,8 @@ bool fileLeavesNoMore(const Diagnosis& d) {
          all(d.law.withheld, [&](const Withheld& one) { return !isWritten(d, one.effect); });
 }
 
-// Named effects have the numbers of the written law, all others those of their full laws.
+// Returns true if the numbers of named effects are those of the written law, and those of other effects are of their
+// full laws.
 bool numbersAreOfTheFile(const Diagnosis& d) {
   return d.table || all(d.candidates, [&](const CandidateResult& c) {
            const bool named = std::count(d.answer.effects.begin(), d.answer.effects.end(), c.effect) > 0;
@@ -255,7 +258,7 @@ struct Invariant {
   bool (*holds)(const Diagnosis&);
 };
 
-// The names are those of test/blind_trial/invariants.py, which checks report.json.
+// test/blind_trial/invariants.py, which checks report.json, uses the same names.
 constexpr Invariant kInvariants[] = {
     {"effects are named if and only if the verdict names effects", verdictHasItsEffects},
     {"the probabilities add up to 1", posteriorIsOne},
@@ -307,7 +310,7 @@ Diagnosis heldToInvariants(Diagnosis diagnosis) {
   if (broken.empty()) {
     return diagnosis;
   }
-  Diagnosis told;  // states what was recorded, and nothing that was judged
+  Diagnosis told;  // contains what was recorded, but no result of the judgement
   told.component = diagnosis.component;
   told.turns = diagnosis.turns;
   told.configured = diagnosis.configured;

@@ -1,4 +1,4 @@
-// Diagnosis of each direction by itself, and the map of residuals over the displacements of other directions.
+// Diagnoses each direction by itself, and computes how displacements predict residuals of other directions.
 #include "rubber_suspension/diagnosis/six_directions.h"
 
 #include <fmt/format.h>
@@ -20,15 +20,15 @@ namespace {
 using component::Direction;
 using SixLogs = std::array<log::Log, component::kDirections>;
 
-// True if the direction is coupled with others by their radius.
+// Returns true if a common radius couples the direction with others.
 bool isCoupled(const component::SixDirectionsLaws& laws, Direction direction) {
   const component::Coupling coupling = component::isRotation(direction) ? laws.rotation : laws.translation;
   return coupling == component::Coupling::spherical ||
          (coupling == component::Coupling::cylindrical && direction % 3 != laws.axis);
 }
 
-// The other direction across the axis, with which this one may share a radius; none if it is free or has another
-// factor.
+// Returns the other direction perpendicular to the axis, with which this direction may share a radius. Returns nothing
+// if that direction is free or has another factor of stiffness_by_preload.
 std::optional<Direction> partnerOf(const io::SixDirectionsDescription& six, Direction direction) {
   const std::size_t own = direction % 3;
   const std::size_t axis = six.arrangement.axis;
@@ -37,7 +37,7 @@ std::optional<Direction> partnerOf(const io::SixDirectionsDescription& six, Dire
   return shares ? std::optional(other) : std::nullopt;
 }
 
-// Directions that can be diagnosed by themselves.
+// Returns the names of the directions that can be diagnosed by themselves.
 std::string acceptedDirections(const io::SixDirectionsDescription& six) {
   std::string list;
   for (std::size_t i = 0; i < component::kDirections; ++i) {
@@ -80,7 +80,8 @@ std::vector<SixLogs> measuredDirections(const component::SixDirections& componen
   return directions;
 }
 
-// Logs with the force that the entries of the direction have to produce, before its factor.
+// Returns the logs of a direction. Their force is divided by the factor of the direction, because the entries of the
+// component file produce the force before this factor.
 std::vector<log::Log> logsOf(const std::vector<SixLogs>& all, Direction direction,
                              const io::SixDirectionsDescription& six) {
   const double factor = six.factorOf(direction);
@@ -111,7 +112,7 @@ DirectionDiagnosis diagnoseDirection(const io::ComponentDescription& component, 
   }
 }
 
-// Scales the progress of one direction to its share of the progress of all.
+// Returns options that report the progress of one direction as part of the progress of all directions.
 DiagnosisOptions shareOf(const DiagnosisOptions& options, Direction direction, std::size_t i, std::size_t count) {
   DiagnosisOptions share = options;
   if (options.progress) {
@@ -123,7 +124,7 @@ DiagnosisOptions shareOf(const DiagnosisOptions& options, Direction direction, s
   return share;
 }
 
-// Copies radial laws, which belong to two directions, to the partner if it has none.
+// Copies the radial laws of a direction to its partner if the partner has none, because a radial law belongs to both.
 void completeRadius(io::SixDirectionsDescription& six, Direction direction) {
   const std::optional<Direction> partner = partnerOf(six, direction);
   const auto elements = six.directions[direction]->allElements();

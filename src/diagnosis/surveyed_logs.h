@@ -1,4 +1,4 @@
-// A diagnosis in two steps: a survey of the logs, which returns their notes, and the search.
+// The two steps of a diagnosis: a survey of the logs, which returns notes on them, and the search.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,12 @@ struct SurveyedLogs {
   std::vector<prepare::LogSurvey> hold_out;
 };
 
-/// Surveys the logs. Throws LogError if there is none, and like prepare::surveyLog(); std::invalid_argument for a
-/// component that cannot be built.
+/// Surveys the logs. Throws LogError if there is no log and for the reasons of prepare::surveyLog(), and throws
+/// std::invalid_argument if the component cannot be built.
 SurveyedLogs surveyed(const io::ComponentDescription& component, const log::LogSources& logs,
                       const log::LogSources& hold_out, int threads);
 
-/// Diagnoses surveyed logs, like diagnose() of their sources.
+/// Diagnoses surveyed logs. The result is that of diagnose() for the sources of these logs.
 Diagnosis diagnose(const io::ComponentDescription& component, const SurveyedLogs& logs,
                    const DiagnosisOptions& options);
 

@@ -1,4 +1,4 @@
-// Words for verdicts.
+// Converts verdicts to words and words to verdicts.
 #include "rubber_suspension/diagnosis/verdict.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Effects that logs could have shown: the judgement of each if it is added at a stated size. Throws nothing.
+// Effects that logs could have shown: the predicted judgement if each effect is added to the logs at a stated size.
 #pragma once
 
 #include <string>
@@ -6,23 +6,26 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Judgement of one effect, implanted in several shapes of its law: added to forces that the model explains otherwise.
-/// Shares are of the number of shapes.
+/// Predicted judgement of logs that the model explains except for the added force of one effect. The prediction is
+/// repeated for several forms of the law of the effect; shares are fractions of the number of forms.
 struct ImplantedEffect {
   std::string effect;
-  std::string outcome;                 ///< of most shapes: found, confounded, taken_for, unexplained, or out_of_reach
-  std::vector<std::string> taken_for;  ///< effects named in its place or not distinguished from it
-  std::vector<double> named_as;        ///< share of the shapes for which each effect of the list would be named first
-  double nothing_named = 0.0;          ///< share of the shapes for which no effect would be named
-  double visible_share = 0.0;          ///< part of its force that re-estimated model parameters do not hide [-]
-  double least_size = 0.0;  ///< least RMS force, over the force's standard deviation, at which half of the shapes are
-  ///< found, alone or in a set without wrong values; infinite if above 1
+  std::string outcome;  ///< the most frequent one: found, confounded, taken_for, unexplained, or out_of_reach
+  /// effects, or wrong values, that are named in its place or cannot be distinguished from it
+  std::vector<std::string> taken_for;
+  /// for each effect of the list: fraction of the forms for which it would be named first
+  std::vector<double> named_as;
+  double nothing_named = 0.0;  ///< fraction of the forms for which no effect would be named
+  double visible_share = 0.0;  ///< part of its force that re-estimated model parameters do not absorb [-]
+  /// Smallest RMS force, divided by the standard deviation of the force, at which half of the forms are found, alone or
+  /// in a set of effects without wrong values; infinite if this ratio would exceed 1.
+  double least_size = 0.0;
 };
 
 struct CouldShow {
-  double size = 0.0;                 ///< RMS force of the implanted effects over the force's standard deviation
-  double force = 0.0;                ///< this RMS force [N], in the log with the largest force
-  std::string why;                   ///< where the size comes from
+  double size = 0.0;                 ///< RMS force of the added effects divided by the standard deviation of the force
+  double force = 0.0;                ///< the same RMS force in newtons, for the log with the largest force [N]
+  std::string why;                   ///< explains how the size was chosen
   double noise = 0.0;                ///< noise floor in units of the force's standard deviation
   std::vector<std::string> effects;  ///< all effects, in the order of `named_as`
   std::vector<ImplantedEffect> implanted;

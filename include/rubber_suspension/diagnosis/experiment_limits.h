@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Limits of a proposed experiment. A limit that is not set is the value that the logs reached.
+/// Limits of a proposed experiment. A limit that is not set defaults to the largest value in the logs.
 struct ExperimentLimits {
   std::optional<double> stroke;     ///< largest displacement to either side of 0 [m]
   std::optional<double> speed;      ///< largest rate of the displacement [m/s]
@@ -16,7 +16,7 @@ struct ExperimentLimits {
   std::optional<double> duration;   ///< duration of the whole log [s]
 };
 
-/// A row of the table from which the option and the reference page are made.
+/// A row of the table from which the option `--limits` and its reference page are generated.
 struct ExperimentLimitInfo {
   std::string name;  ///< the key in `--limits KEY=VALUE`
   std::string unit;  ///< SI
@@ -26,8 +26,8 @@ struct ExperimentLimitInfo {
 
 const std::vector<ExperimentLimitInfo>& experimentLimitTable();
 
-/// Sets the limit of an assignment KEY=VALUE, such as "stroke=20 mm". Throws std::invalid_argument with key, value and
-/// what is accepted.
+/// Sets one limit from text of the form KEY=VALUE, such as "stroke=20 mm". Throws std::invalid_argument with the key,
+/// the value and what is accepted.
 void setExperimentLimit(ExperimentLimits& limits, const std::string& assignment);
 
 }  // namespace rubber_suspension::diagnosis

@@ -5,13 +5,15 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Probabilities of the answers of a diagnosis, which add up to 1; NaN if nothing was judged. Throws nothing.
+/// Probabilities of the answers of a diagnosis, which add up to 1. They are NaN if nothing was judged.
 struct Posterior {
   double none = std::numeric_limits<double>::quiet_NaN();  ///< no gap beyond noise
   /// The model's own values are wrong, and no effect is missing.
   double parameter_error = std::numeric_limits<double>::quiet_NaN();
-  double effects = std::numeric_limits<double>::quiet_NaN();  ///< listed effects are at work; sum over all sets of them
-  double none_of_these = std::numeric_limits<double>::quiet_NaN();  ///< an unlisted cause alone
+  /// effects of the list are at work; the sum over all sets
+  double effects = std::numeric_limits<double>::quiet_NaN();
+  /// a cause that is not in the list, without effects of the list
+  double none_of_these = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace rubber_suspension::diagnosis

@@ -1,5 +1,5 @@
-// The diagnosis of a component of six directions: each selected direction by itself, and a map of which displacement
-// predicts the residual of which force.
+// The diagnosis of a component of six directions. Each selected direction is diagnosed by itself, and a map shows which
+// displacement predicts the residual of which force.
 #pragma once
 
 #include <string>
@@ -12,15 +12,17 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// A cell of the cross map: how well the displacement of `by` predicts the residual of the augmented component in the
-/// generalised force of `of`. The prediction is a cubic polynomial of both displacements plus the product of the rate
-/// of `of` and the displacement of `by`; `share` is what it predicts beyond cubic polynomials of the displacement and
-/// the rate of `of` alone, on parts of the logs that took no part in the fit of these functions.
+/// A cell of the cross map, which states how well the displacement in the direction `by` predicts the residual of the
+/// augmented component in the generalised force of the direction `of`. The prediction is a cubic polynomial of both
+/// displacements plus the product of the rate of `of` and the displacement of `by`. The share counts only what this
+/// function predicts beyond cubic polynomials of the displacement and the rate of `of`, on parts of the logs that took
+/// no part in the fit of these functions.
 struct CrossShare {
   component::Direction of = component::kX;
   component::Direction by = component::kY;
-  double share = 0.0;  ///< of the squared residual [-]; NaN if `by` does not move, or moves as `of` does
-  double force = 0.0;  ///< RMS of the predicted force or moment [N, N m]; NaN likewise
+  /// fraction of the squared residual [-]; NaN if `by` does not move, or if its motion follows from that of `of`
+  double share = 0.0;
+  double force = 0.0;  ///< RMS of the predicted force [N] or moment [N m]; NaN if `share` is
 };
 
 struct DirectionDiagnosis {
@@ -31,39 +33,41 @@ struct DirectionDiagnosis {
 struct SixDirectionsDiagnosis {
   std::string component;
   std::vector<DirectionDiagnosis> directions;
-  std::vector<CrossShare> cross_map;   ///< each diagnosed direction with each other direction
-  io::ComponentDescription augmented;  ///< other directions as configured, except for radial_stiffness
+  std::vector<CrossShare> cross_map;  ///< each pair of a diagnosed direction and another direction
+  /// directions that were not diagnosed are as configured, except for radial_stiffness
+  io::ComponentDescription augmented;
   RunRecord run;
 };
 
-/// Throws std::invalid_argument with the name of the direction if a direction is free or is coupled with others by a
-/// common radius, because the force of coupled directions belongs to none of them alone; also if the component has one
-/// direction only or no direction is given.
+/// Throws std::invalid_argument if the component has one direction only or no direction is given. Also throws it, with
+/// the name of the direction, if a direction is free or is coupled with others by a common radius, because the force of
+/// coupled directions belongs to none of them alone.
 void requireDirections(const io::ComponentDescription& component, const std::vector<component::Direction>& directions);
 
-/// Diagnoses directions of a component of six, each by diagnose() with its generalised force divided by its factor of
-/// stiffness_by_preload. Throws like diagnose() and requireDirections(), and LogError for a log without wrenches.
+/// Diagnoses the given directions of a component of six directions. Each of them is diagnosed by diagnose(), with its
+/// generalised force divided by its factor of stiffness_by_preload. Throws like diagnose() and requireDirections(), and
+/// throws LogError for a log without wrenches.
 SixDirectionsDiagnosis diagnoseDirections(const io::ComponentDescription& component,
                                           const std::vector<component::Direction>& directions,
                                           const std::vector<log::PoseLog>& logs,
                                           const std::vector<log::PoseLog>& hold_out,
                                           const DiagnosisOptions& options = {});
 
-/// Returns a sentence on the coupled pairs of the map.
+/// Returns a sentence that names the coupled pairs of directions in the cross map.
 std::string crossMapSentence(const SixDirectionsDiagnosis& diagnosis);
 
-/// Returns the map as a table for a terminal.
+/// Returns the cross map as a table for a terminal.
 std::string crossMapText(const SixDirectionsDiagnosis& diagnosis);
 
 /// Returns the diagnosis as JSON text, schema rubber_suspension/gap_report/six_directions/1.
 std::string toJson(const SixDirectionsDiagnosis& diagnosis);
 
-/// Returns the names of the files beside the folders of the directions.
+/// Returns the names of the files that writeReports() writes beside the folders of the directions.
 std::vector<std::string> sixDirectionsFiles();
 
 /// Writes report.json, augmented.yaml and report.html into a folder, and the report of each direction into a subfolder
-/// of its name. Returns an empty string, or the reason in one line if a page could not be drawn. Throws
-/// std::runtime_error.
+/// with the name of the direction. Returns an empty string, or the reason in one line if a page could not be drawn.
+/// Throws std::runtime_error.
 std::string writeReports(const SixDirectionsDiagnosis& diagnosis, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

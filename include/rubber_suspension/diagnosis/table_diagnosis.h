@@ -8,12 +8,13 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Smallest number of rows for a diagnosis; fewer rows cannot test a hypothesis.
+/// Smallest number of rows of a table that can be diagnosed; fewer rows cannot test a hypothesis.
 constexpr std::size_t kFewestRows = 6;
 
-/// Diagnoses one component from a table. Search and judgement are the same as for logs, with residuals of K*
-/// (fit::gapOfTable()) and with rows held out. Effects that no table can show are never named
-/// (DiagnosedTable::never_shown). Throws std::invalid_argument for a table or a component that cannot be used.
+/// Diagnoses one component from a table. Search and judgement are the same as for logs, but residuals are those of K*
+/// (fit::gapOfTable()), and rows are held out in place of blocks. Effects that no table can show
+/// (DiagnosedTable::never_shown) are not named. Throws std::invalid_argument if the table or the component cannot be
+/// used.
 Diagnosis diagnoseTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                         const DiagnosisOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Verdict by sums of the posterior.
+// Derives the verdict from sums of the posterior.
 #include "diagnosis/judge/answer.h"
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 namespace rubber_suspension::diagnosis::judge {
 namespace {
 
-constexpr double kMajority = 0.5;       // of the probability of all sets; with less, the likeliest set is confounded
-constexpr double kWorthListing = 0.02;  // sets with a less probable effect are not listed
+// smallest fraction of the probability of all sets for which the likeliest set is not confounded
+constexpr double kMajority = 0.5;
+constexpr double kWorthListing = 0.02;  // sets that contain a less probable effect are not listed
 
 std::vector<int> largestFirst(const SetProbability& set) {
   std::vector<std::size_t> order(set.members.size());
@@ -115,7 +116,7 @@ class Answering {
   }
 
   const SetPosterior& posterior_;
-  double sets_;  // probability of all sets
+  double sets_;  // probability of all sets together
   Answer answer_;
 };
 

@@ -1,4 +1,4 @@
-// The verdict as a function of the posterior alone.
+// The verdict, which follows from the posterior alone.
 #pragma once
 
 #include <vector>
@@ -9,40 +9,44 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// Probability that lists have to cover; an explanation with at least this probability stands alone.
+/// Listed explanations together have at least this probability. An explanation that has it alone is the only one
+/// listed.
 constexpr double kListed = 0.9;
 
 /// An explanation of the logs: a set of effects (`named`), wrong values, no gap, or an unlisted cause (`unknown`).
 struct Explained {
   Verdict verdict = Verdict::none;
-  std::vector<int> effects;            ///< largest force first
-  int model = Evidence::kReEstimated;  ///< the hypothesis that represents it
+  std::vector<int> effects;            ///< sorted by the size of their forces, the largest first
+  int model = Evidence::kReEstimated;  ///< index of the hypothesis that represents the explanation
   double probability = 0.0;
 };
 
 /// The verdict and its probability.
 struct Answer {
   Verdict verdict = Verdict::none;
-  std::vector<int> effects;                  ///< named effects, largest force first
-  int model = Evidence::kReEstimated;        ///< the judged hypothesis
-  double probability = 0.0;                  ///< of the verdict; if effects are named, of their set
-  double beside = 0.0;                       ///< share of the named set's probability that is beside a residual force
-  Posterior posterior;                       ///< of the four answers
-  std::vector<double> candidates;            ///< for each effect, that it is at work
-  std::vector<std::vector<int>> confounded;  ///< sets with 90 % of the probability of all sets, the likeliest first
-  std::vector<Explained> alternatives;       ///< likeliest others, until 90 % are covered with the answer
+  std::vector<int> effects;            ///< named effects, sorted by the size of their forces, the largest first
+  int model = Evidence::kReEstimated;  ///< index of the judged hypothesis
+  double probability = 0.0;  ///< probability of the verdict; if effects are named, of the set of these effects
+  double beside = 0.0;  ///< fraction of the probability of the named set for which an unlisted cause is also at work
+  Posterior posterior;  ///< probabilities of the four answers
+  std::vector<double> candidates;  ///< for each effect: probability that it is at work
+  /// Sets of effects that together have 90 % of the probability of all sets, the likeliest first.
+  std::vector<std::vector<int>> confounded;
+  /// Likeliest other explanations; together with the answer they have a probability of 90 %.
+  std::vector<Explained> alternatives;
 };
 
-/// Returns the answer to a posterior. If all sets together are likelier than any other answer, the likeliest set is
-/// named. The verdict is then `confounded` if this set has less than half of the probability of all sets, or `partly`
-/// if it is likelier beside a residual force than alone. Sets with an effect of less than 2 % are not listed, except
-/// for the named one. The verdict is never `unknown` if a set halves the residual (toldByHalving()).
+/// Returns the answer that follows from a posterior. If all sets of effects together are likelier than any other
+/// answer, the likeliest set is named. The verdict is then `confounded` if this set has less than half of the
+/// probability of all sets. Otherwise it is `partly` if this set is likelier with an unlisted cause than without. Sets
+/// that contain an effect with a probability of less than 2 % are not listed, except for the named set. The verdict is
+/// never `unknown` if a set halves the squared residual (toldByHalving()).
 Answer answer(const SetPosterior& posterior, std::size_t effects);
 
-/// Returns the answer to a table of scores.
+/// Returns the answer that follows from a table of scores.
 Answer answer(const ScoreTable& table, const JudgeNumbers& numbers = fittedNumbers());
 
-/// Returns the answer to evidence. Throws std::invalid_argument like scoreTable().
+/// Returns the answer that follows from the evidence. Throws std::invalid_argument like scoreTable().
 Answer answer(const Evidence& evidence, const JudgeNumbers& numbers = fittedNumbers());
 
 }  // namespace rubber_suspension::diagnosis::judge

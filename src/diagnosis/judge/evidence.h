@@ -1,4 +1,5 @@
-// The evidence for the judgement: plain numbers from the fits, without simulations or logs.
+// The evidence for the judgement: plain numbers from the fits, so that the judgement needs neither logs nor
+// simulations.
 #pragma once
 
 #include <cstddef>
@@ -9,55 +10,58 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// A fitted hypothesis. Errors and sizes are mean squares in units of the variance of the force, infinite if the model
-/// has no finite force on a log.
+/// The numbers of a fitted hypothesis. Errors and sizes are mean squares divided by the variance of the force. They are
+/// infinite if the model has no finite force on a log.
 struct HypothesisEvidence {
-  std::vector<int> members;  ///< indices of the effects at work, ascending
-  std::size_t terms = 0;     ///< number of their basis terms; 0: the logs lack what they need
-  /// Numbers beyond the laws that the members contain (fit::numbersBeyond()) that are not at their limits.
+  std::vector<int> members;  ///< indices of the effects of the hypothesis, ascending
+  std::size_t terms = 0;     ///< number of basis terms of these effects; 0 if the logs lack what the effects need
+  /// Number of parameters that the laws of the members have in addition to the laws that they contain
+  /// (fit::numbersBeyond()), without parameters at their limits.
   std::size_t beyond = 0;
-  fit::PerLogNuisances free_in_log;  ///< free in each log
-  bool idle = false;                 ///< a member removes nothing beyond chance: the hypothesis is inadmissible
-  bool keeps_values = false;         ///< model parameters are as configured: the member is equivalent to changing them
-  double chi_squared = 0.0;          ///< of the deviations from the data sheet, in tolerances
-  std::vector<double> log_errors;    ///< error on each log, in blocks that took no part in the fit
-  /// Size of the force that each member adds to each log: a list over the logs for each member.
+  fit::PerLogNuisances free_in_log;  ///< parameters that are free in each log
+  bool idle = false;          ///< an effect removes no more than chance would, so that the hypothesis is inadmissible
+  bool keeps_values = false;  ///< model parameters are as configured, because the effect is equivalent to changing them
+  double chi_squared = 0.0;   ///< sum of the squared deviations from the data sheet, each divided by its tolerance
+  std::vector<double> log_errors;  ///< for each log: error in blocks that took no part in the fit
+  /// For each member, a list over the logs: size of the force that the member adds.
   std::vector<std::vector<double>> sizes;
-  /// Shares of the octaves in the residual of each log; if empty, equal to the weights of the octaves.
+  /// For each log: fractions of the squared residual in each octave. If empty, they equal the weights of the octaves.
   std::vector<std::vector<double>> shares;
 };
 
-/// A log that hypotheses are judged on, or a row of a table.
+/// A log on which hypotheses are judged, or a row of a table.
 struct LogEvidence {
-  double floor = 0.0;              ///< noise and errors of the rig within its tolerances, as a gap
-  double floor_uncertainty = 0.0;  ///< standard error of its logarithm
-  double weight = 1.0;             ///< of the log (Record::weight)
-  bool unseen = false;             ///< took no part in the fit
-  std::size_t blocks = 0;          ///< number of blocks with known errors
-  /// Weights of the octaves of frequency, with a sum of 1 for a log; a single one if they are not distinguished.
+  double floor = 0.0;              ///< noise and errors of the rig within its tolerances, expressed as a gap
+  double floor_uncertainty = 0.0;  ///< standard error of the logarithm of `floor`
+  double weight = 1.0;             ///< weight of the log (Record::weight)
+  bool unseen = false;             ///< the log took no part in the fit
+  std::size_t blocks = 0;          ///< number of blocks in which errors are known
+  /// Weights of the octaves of frequency, which add up to 1. A single weight stands for all octaves together.
   std::vector<double> octaves = {1.0};
 };
 
-/// The whole evidence. The first two hypotheses have no effect; they are followed by the single effects in their order,
-/// pairs and triples.
+/// The whole evidence. The first two hypotheses have no effect. They are followed by a hypothesis for each single
+/// effect, in the order of `effects`, and by those with two and three effects.
 struct Evidence {
   static constexpr int kAsConfigured = 0;
   static constexpr int kReEstimated = 1;
   static constexpr int kFirstSingle = 2;
 
   std::vector<HypothesisEvidence> hypotheses;
-  std::vector<LogEvidence> logs;     ///< the logs of the fit, then the unseen ones
-  std::vector<std::string> effects;  ///< names; members are indices into this list
-  std::vector<bool> one_form;        ///< for each effect: its law has only one form, like that of a mass
-  std::vector<bool> constant;        ///< for each effect: it adds a constant force, which has no form error
-  /// For each effect: the effects that are limits of its law, which therefore contains them.
+  std::vector<LogEvidence> logs;     ///< the logs of the fit, followed by the unseen logs
+  std::vector<std::string> effects;  ///< names of the effects; HypothesisEvidence::members are indices of this list
+  std::vector<bool> one_form;        ///< for each effect: its law has only one form, as that of a mass has
+  std::vector<bool> constant;        ///< for each effect: it adds a constant force, for which there is no form error
+  /// For each effect: the effects that its law contains, because they are limits of this law.
   std::vector<std::vector<int>> contains;
-  bool guess = false;               ///< the data sheet is a guess, so that the model as configured is inadmissible
-  std::vector<bool> excluded = {};  ///< for each effect: ruled out, with all its hypotheses; empty: none is
+  bool guess = false;  ///< the data sheet is a guess, so that the model as configured is inadmissible
+  /// for each effect: no hypothesis that contains it is admissible; empty if no effect is excluded
+  std::vector<bool> excluded = {};
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
 
-  /// Returns true if the values of a hypothesis lie nearer to the data sheet than those re-estimated without effects.
+  /// Returns true if the values of a hypothesis are nearer to the data sheet than the values that are re-estimated
+  /// without effects.
   bool isNearerToTheSheet(int hypothesis) const { return at(hypothesis).chi_squared < at(kReEstimated).chi_squared; }
 };
 

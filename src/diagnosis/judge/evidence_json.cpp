@@ -1,4 +1,4 @@
-// Evidence to JSON.
+// Converts evidence to JSON.
 #include "diagnosis/judge/evidence_json.h"
 
 #include <nlohmann/json.hpp>

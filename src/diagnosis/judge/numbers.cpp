@@ -1,4 +1,4 @@
-// The table of numbers.
+// The table that describes the numbers of the judgement.
 #include "diagnosis/judge/numbers.h"
 
 namespace rubber_suspension::diagnosis::judge {

@@ -1,4 +1,4 @@
-// The numbers of the judgement in one table. All of them are fitted to cases of known cause.
+// The numbers of the judgement, all of which are fitted to cases of known cause.
 #pragma once
 
 #include <map>
@@ -7,7 +7,8 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// Sizes are root mean squares in units of the standard deviation of the force; a prior is the logarithm of odds.
+/// Values of the numbers; numberTable() describes each. Sizes are root mean squares divided by the standard deviation
+/// of the force, and a prior is a logarithm of odds.
 struct JudgeNumbers {
   double sharpness = 8.0;
   double growth = 0.2;
@@ -31,29 +32,29 @@ struct JudgeNumbers {
   double per_gain = 0.4;
   double share = 0.5;
   double share_spread = 0.7;
-  std::map<std::string, double> rates = {};  ///< logarithm of the rate of each effect over the usual rate
+  std::map<std::string, double> rates = {};  ///< for each effect: logarithm of its rate divided by the usual rate
 
-  /// Returns the element of `rates` for an effect; 0 if it has none.
+  /// Returns the entry of `rates` for an effect, or 0 if there is none.
   double rateOf(const std::string& name) const;
 };
 
-/// A row of the table, with the prior of the number.
+/// Description of one number, with the prior distribution from which it is fitted.
 struct NumberInfo {
   const char* name;
   const char* meaning;
   const char* unit;
   double JudgeNumbers::* value;
-  bool positive;     ///< the logarithm is fitted and has the normal prior
-  double mean;       ///< of the prior; if `positive`, exponential of the mean of the logarithm
-  double deviation;  ///< standard deviation of the prior; of the logarithm if `positive`
+  bool positive;     ///< the logarithm of the number is fitted and has a normal prior
+  double mean;       ///< mean of the prior; if `positive`, the exponential of the mean of the logarithm
+  double deviation;  ///< standard deviation of the prior; if `positive`, of the prior of the logarithm
 };
 
 const std::vector<NumberInfo>& numberTable();
 
-/// Standard deviation of the prior of each of `rates`; the mean is 0.
+/// Standard deviation of the prior of each entry of `rates`. The mean of this prior is 0.
 constexpr double kRateDeviation = 0.7;
 
-/// Returns the numbers as fitted last (fitted_numbers.cpp).
+/// Returns the numbers of the last fit (fitted_numbers.cpp).
 const JudgeNumbers& fittedNumbers();
 
 }  // namespace rubber_suspension::diagnosis::judge

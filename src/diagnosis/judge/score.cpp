@@ -1,4 +1,4 @@
-// Weights of hypotheses.
+// Computes the weights of hypotheses.
 #include "diagnosis/judge/score.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ using Eigen::ArrayXd;
 using Eigen::ArrayXXd;
 using Eigen::Index;
 
-constexpr double kLeastSquare = 1e-8;                                     // of the force: keeps logarithms finite
+constexpr double kLeastSquare = 1e-8;  // smallest mean square, so that logarithms are finite
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();  // log weight of inadmissible hypotheses
-constexpr double kTypicalBlocks = 50.0;                                   // number to which the sharpness refers
+constexpr double kTypicalBlocks = 50.0;  // number of blocks for which the sharpness is stated
 
 void requireLogs(const Evidence& evidence) {
   const auto lacks = [&](const HypothesisEvidence& hypothesis) {
@@ -46,7 +46,7 @@ void fillLogs(const Evidence& evidence, ScoreTable& table) {
     table.blocks += static_cast<double>(log.blocks);
   }
   table.weight /= table.weight.sum();
-  // The error of a hypothesis in blocks that it was not fitted to includes their noise, so that it limits the floor.
+  // Held-out errors include the noise of the log, so the noise floor is at most the least error of any hypothesis.
   for (const HypothesisEvidence& hypothesis : evidence.hypotheses) {
     table.floor = table.floor.min(arrayOf(hypothesis.log_errors));
   }
@@ -61,7 +61,8 @@ void fillBands(const Evidence& evidence, ScoreTable& table) {
   }
 }
 
-// Distributes a residual over the bands: by its shares, or by the weights of the bands if its shares are unknown.
+// Distributes a residual over the bands in proportion to its shares, or to the weights of the bands if it has no
+// shares.
 void fillInBands(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   for (std::size_t b = 0; b < table.bands.size(); ++b) {
     const Band& band = table.bands[b];
@@ -95,7 +96,8 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
     const auto member = static_cast<std::size_t>(hypothesis.members[m]);
-    const bool exact = evidence.constant[member] || hypothesis.keeps_values;  // a common gain equals other values
+    // a gain of all logs equals a change of the values
+    const bool exact = evidence.constant[member] || hypothesis.keeps_values;
     if (!exact) {
       (evidence.one_form[member] ? table.added_of_one : table.added).row(row) += squares.transpose();
     }
@@ -103,18 +105,18 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   }
 }
 
-// Logarithm of the size of what one hypothesis removes beyond another.
+// Returns the logarithm of the size of the residual that the hypothesis `by` removes in addition to `beyond`.
 double sizeRemoved(const ScoreTable& table, Index by, Index beyond) {
   const ArrayXd removed = (table.left.row(beyond) - table.left.row(by)).transpose();
   return 0.5 * std::log(std::max((removed * table.weight).sum(), kLeastSquare));
 }
 
-// Size of wrong values: size of the error that other values, or another reading of them, remove.
+// Stores the size of the error that wrong values cause: the residual of configured values that this hypothesis removes.
 void fillSizeOfWrongValues(Index row, ScoreTable& table) {
   table.sizes[static_cast<std::size_t>(row)] = {sizeRemoved(table, row, Evidence::kAsConfigured)};
 }
 
-// Rows of fitted hypotheses that have, in place of a member, an effect that the law of this member contains.
+// Returns the rows of the fitted hypotheses in which a member is replaced by an effect that its law contains.
 std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesis, int member,
                                  const ScoreTable& table) {
   std::vector<Index> rows;
@@ -131,8 +133,8 @@ std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesi
   return rows;
 }
 
-// Sizes of what laws remove beyond the laws that they contain. They have the prior of sizes of effects, because a law
-// equals a contained one at its limit.
+// Stores the sizes that laws remove in addition to the laws that they contain. These sizes have the prior of sizes of
+// effects, because a law without the additional part equals a contained one.
 void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTable& table) {
   std::vector<double>& sizes = table.sizes_beyond.emplace_back();
   for (const int member : table.members[hypothesis]) {
@@ -144,13 +146,15 @@ void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTabl
   }
 }
 
-// Squared residual with the better one of configured and re-estimated values; of a guess, with re-estimated ones.
+// Returns the squared residual for configured or re-estimated values, whichever is smaller. If the configured values
+// are a guess, returns that of the re-estimated ones.
 double leftByValues(const ScoreTable& table) {
   const ArrayXd left = (table.left.topRows<Evidence::kFirstSingle>().matrix() * table.weight.matrix()).array();
   return table.guess ? left[Evidence::kReEstimated] : left.minCoeff();
 }
 
-// Log prior of a set: the number and the rates of its effects, minus the cost of the unknowns of each log.
+// Returns the log prior of a set: the priors of the number of its effects and of their rates, minus the costs of
+// parameters beyond contained laws and of parameters that are free in each log.
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
   const auto row = static_cast<Index>(hypothesis);
@@ -164,13 +168,14 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
          numbers.per_offset * inAllLogs(free.offset) - numbers.per_gain * inAllLogs(free.gain || free.by_factor);
 }
 
-// Log prior of the values by Student's t: values far from the data sheet are improbable, however well they fit.
+// Returns the log prior of the values, by Student's t. Values far from the data sheet are improbable, however well they
+// fit.
 double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const double chi_squared = table.departure[static_cast<Index>(hypothesis)] / std::pow(numbers.sheet_scale, 2);
   return -0.5 * (numbers.sheet_tails + 1.0) * std::log1p(chi_squared / numbers.sheet_tails);
 }
 
-// A common gain on all logs is equivalent to values that are wrong by one factor.
+// Returns the log prior of one gain of all logs, which is equivalent to values that are wrong by one factor.
 double priorOfReading(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const auto effect = static_cast<std::size_t>(table.members[hypothesis].front());
   return numbers.no_effect + numbers.common_gain + numbers.rateOf(table.effects[effect]) +
@@ -185,8 +190,8 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
     case Evidence::kAsConfigured:
       return numbers.no_effect;
     case Evidence::kReEstimated:
-      // Right and wrong values have even odds a priori. Wrong values differ by more than an engineer accepts; those of
-      // a guess need not.
+      // Right and wrong values have the same prior. Wrong values are expected to cause a gap larger than an engineer
+      // accepts, unless the configured values are a guess.
       return numbers.no_effect +
              (table.guess ? 0.0 : priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers.values_spread));
     default:
@@ -197,7 +202,7 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
   }
 }
 
-// Sum over logs and their bands of w p (ln max(r^2 q/p, s^2) + 1).
+// Returns the sum over logs and bands of w p (ln max(r^2 q/p, s^2) + 1), as logWeights() defines it.
 ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
   ArrayXd loss = ArrayXd::Zero(s2.rows());
   for (std::size_t b = 0; b < table.bands.size(); ++b) {
@@ -208,10 +213,10 @@ ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
   return loss;
 }
 
-// Hypotheses are impossible if no model run can follow a log.
+// Makes hypotheses impossible whose weight is not finite, because their model cannot follow a log.
 void refuseInfinite(ArrayXd& weights) { weights = weights.isFinite().select(weights, kImpossible); }
 
-// A guess is not right as configured, with or without a gain.
+// Makes configured values impossible, with and without a gain, because they are a guess.
 void refuseConfigured(const ScoreTable& table, LogWeights& weights) {
   weights.alone[Evidence::kAsConfigured] = kImpossible;
   for (std::size_t h = 0; h < table.members.size(); ++h) {
@@ -310,7 +315,7 @@ LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers) {
   for (std::size_t h = 0; h < table.members.size(); ++h) {
     const double prior = priorOf(table, numbers, h) + priorOfValues(table, numbers, h);
     weights.alone[static_cast<Index>(h)] += prior;
-    // Beside a residual force, right and wrong values are one answer: the re-estimated model, without its own prior.
+    // With an unlisted cause, right and wrong values are one answer: the re-estimated model without its own prior.
     double& beside = weights.beside[static_cast<Index>(h)];
     beside += prior;
     if (table.another_reading[h]) {

@@ -1,4 +1,4 @@
-// From weights to probabilities.
+// Converts weights of hypotheses to probabilities.
 #include "diagnosis/judge/set_posterior.h"
 
 #include <algorithm>
@@ -57,7 +57,8 @@ SetPosterior toldByHalving(SetPosterior posterior) {
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) {
   LogWeights weights = logWeights(table, numbers);
   const double most = std::max(weights.alone.maxCoeff(), weights.beside.maxCoeff());
-  const auto overMost = [most](double logarithm) { return std::exp(logarithm - most); };  // 0 for minus infinity
+  // returns 0 for minus infinity
+  const auto overMost = [most](double logarithm) { return std::exp(logarithm - most); };
   weights.alone = weights.alone.unaryExpr(overMost).eval();
   weights.beside = weights.beside.unaryExpr(overMost).eval();
   const double all = weights.alone.sum() + weights.beside.sum();

@@ -1,4 +1,4 @@
-// Probabilities of all sets of effects, alone and beside a residual force of unlisted cause.
+// Probabilities of all sets of effects, each with and without an unlisted cause.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// A set of effects.
+/// A set of effects and its probabilities.
 struct SetProbability {
   std::vector<int> members;
-  int hypothesis = 0;   ///< its index in the evidence
-  double alone = 0.0;   ///< probability that nothing else is at work
-  double beside = 0.0;  ///< probability beside a residual force
-  /// Logarithm of the size of each member; minus infinity for constants, which do not depend on the motion.
+  int hypothesis = 0;   ///< index of the hypothesis in the evidence
+  double alone = 0.0;   ///< probability that these effects are the only cause
+  double beside = 0.0;  ///< probability that these effects and an unlisted cause are at work
+  /// Logarithm of the size of each effect. It is minus infinity for constant forces, which do not depend on the motion.
   std::vector<double> sizes = {};
-  bool halves = false;  ///< halvesWhatIsLeft()
+  bool halves = false;  ///< result of halvesWhatIsLeft()
 
   double sum() const { return alone + beside; }
 };
@@ -24,19 +24,20 @@ struct SetProbability {
 struct SetPosterior {
   double none = 0.0;                 ///< the model is right as configured
   double parameter_error = 0.0;      ///< the values of the model are wrong, and no effect is missing
-  double unknown = 0.0;              ///< an unlisted cause alone
-  std::vector<SetProbability> sets;  ///< of one effect or more, the likeliest first
+  double unknown = 0.0;              ///< an unlisted cause is at work, without effects of the list
+  std::vector<SetProbability> sets;  ///< sets of at least one effect, the likeliest first
 
   double ofSets() const;
 };
 
-/// Returns true if the squared residual of a hypothesis over all logs is at most half of that with re-estimated values
-/// alone. False for inadmissible hypotheses, such as those with an excluded or an idle effect.
+/// Returns true if the squared error of a hypothesis, averaged over the logs with their weights, is at most half of
+/// that of re-estimated values without effects. Returns false for inadmissible hypotheses, such as those that contain
+/// an excluded effect.
 bool halvesWhatIsLeft(const ScoreTable& table, Eigen::Index hypothesis);
 
-/// Returns a posterior in which the sets that halve the residual of re-estimated values, if any, receive the
-/// probability of `unknown` in proportion to theirs, each beside a residual force: a residual that a set halves is not
-/// due to unlisted causes alone.
+/// Returns a posterior in which `unknown` is 0 if any set halves the squared error of re-estimated values, because
+/// unlisted causes alone do not explain such an error. The probability of `unknown` is distributed over these sets in
+/// proportion to their own probabilities, and is added to `beside`.
 SetPosterior toldByHalving(SetPosterior posterior);
 
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers);
