@@ -10,7 +10,9 @@ namespace rubber_suspension::diagnosis {
 /// repeated for several forms of the law of the effect; shares are fractions of the number of forms.
 struct ImplantedEffect {
   std::string effect;
-  std::string outcome;  ///< the most frequent one: found, confounded, taken_for, unexplained, or out_of_reach
+  /// found or confounded if at least half of the forms are either; otherwise the most frequent one of found,
+  /// confounded, taken_for, unexplained and out_of_reach
+  std::string outcome;
   /// effects, or wrong values, that are named in its place or cannot be distinguished from it
   std::vector<std::string> taken_for;
   /// for each effect of the list: fraction of the forms for which it would be named first

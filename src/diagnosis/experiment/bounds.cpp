@@ -1,4 +1,4 @@
-// Bounds of a proposed experiment.
+// Derives the bounds of a proposed experiment.
 #include "diagnosis/experiment/bounds.h"
 
 #include <algorithm>
@@ -7,14 +7,16 @@
 namespace rubber_suspension::diagnosis::experiment {
 
 Stroke strokeOf(double low, double high) {
-  constexpr double kSymmetric = 0.05;  // of the half stroke: a smaller centre is an offset
+  // fraction of the half stroke; a smaller centre counts as an offset of the sensor
+  constexpr double kSymmetric = 0.05;
   const Stroke stroke{0.5 * (low + high), 0.5 * (high - low)};
   return std::abs(stroke.centre) > kSymmetric * stroke.half ? stroke : Stroke{0.0, std::min(-low, high)};
 }
 
 Bounds boundsOf(const fit::Excitation& excitation, const std::vector<gap::PreparedRecord>& records,
                 const ExperimentLimits& limits) {
-  constexpr double kOverForce = 1.05;  // admits the same motion again despite noise and errors of fits
+  // admits motions that the logs contain, whose predicted force may be larger due to noise and errors of the fit
+  constexpr double kOverForce = 1.05;
   double low = 0.0;
   double high = 0.0;
   double force = 0.0;

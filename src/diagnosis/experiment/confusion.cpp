@@ -1,4 +1,4 @@
-// The table of implanted effects.
+// Judges the effects that are added to the logs.
 #include "diagnosis/experiment/confusion.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ using hypotheses::Implant;
 using hypotheses::Search;
 using judge::Answer;
 
-constexpr double kLeastSize = 1e-4;  // of the force, at which the search for the least size begins
-constexpr int kHalvings = 10;        // of the logarithm between kLeastSize and all of the force: to 1 %
+constexpr double kLeastSize = 1e-4;  // fraction of the force at which the search for the least size begins
+constexpr int kHalvings = 10;        // halves the logarithmic range from kLeastSize to 1 to a factor of 1.01
 
 enum class Outcome { found, confounded, taken_for, unexplained, out_of_reach };
 
@@ -52,7 +52,8 @@ Outcome outcomeOf(const Answer& answer, int effect) {
   return listed ? Outcome::confounded : Outcome::taken_for;
 }
 
-// Most frequent outcome; if at least half of the shapes are found or confounded, the more frequent of these two.
+// Returns found or confounded, whichever is more frequent, if at least half of the outcomes are one of these. Otherwise
+// returns the most frequent outcome.
 Outcome commonest(std::map<Outcome, double> outcomes) {
   if (outcomes[Outcome::found] + outcomes[Outcome::confounded] >= 0.5) {
     return outcomes[Outcome::found] < outcomes[Outcome::confounded] ? Outcome::confounded : Outcome::found;
@@ -62,14 +63,14 @@ Outcome commonest(std::map<Outcome, double> outcomes) {
       ->first;
 }
 
-// True if effects are named, but wrong values are an alternative.
+// Returns true if effects are named, but wrong values are an alternative.
 bool valuesWouldDo(const Answer& answer) {
   return !answer.effects.empty() &&
          std::any_of(answer.alternatives.begin(), answer.alternatives.end(),
                      [](const judge::Explained& other) { return other.verdict == Verdict::parameter_error; });
 }
 
-// The implants of one effect.
+// The judgement of one effect in several forms of its law.
 class EffectRow {
  public:
   EffectRow(const Search& search, int effect) : search_(search), effect_(effect) {
@@ -110,7 +111,7 @@ class EffectRow {
   }
 
  private:
-  static constexpr int kWrongValues = -1;  // index in place of that of an effect
+  static constexpr int kWrongValues = -1;  // stands for wrong values where an index of an effect is expected
 
   std::string name(int effect) const {
     return effect == kWrongValues ? toString(Verdict::parameter_error)
@@ -121,7 +122,7 @@ class EffectRow {
     return implant.hidden_by_rig ? Answer{} : judge::answer(experiment::evidenceOf(search_, implant, size));
   }
 
-  // Other effects of the listed sets, and wrong values if they are an alternative.
+  // Returns the effects of the listed sets other than this one, and kWrongValues if wrong values are an alternative.
   std::set<int> othersOf(const Answer& answer) const {
     std::set<int> others;
     for (const std::vector<int>& set : answer.confounded) {
@@ -134,7 +135,7 @@ class EffectRow {
     return others;
   }
 
-  // Names with more than a fifth of the shapes, most frequent first.
+  // Returns the names that are listed for more than a fifth of the forms of the law, the most frequent first.
   std::vector<std::string> byShare(const std::map<int, double>& shares) const {
     constexpr double kToTell = 0.2;
     std::vector<std::pair<double, int>> order;

@@ -1,4 +1,4 @@
-// Confusion of effects: the judgement of implanted effects.
+// Predicts how effects that are added to the logs would be judged.
 #pragma once
 
 #include "diagnosis/hypotheses/implant.h"
@@ -8,13 +8,15 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// Returns the evidence for an implant of a size (a gap), on logs that otherwise agree with the model.
+/// Returns the evidence for an added effect of this size (its RMS force divided by the standard deviation of the
+/// force), on logs that otherwise agree with the model.
 judge::Evidence evidenceOf(const hypotheses::Search& search, const hypotheses::Implant& implant, double size);
 
-/// Returns the judgement of all implants of a search at a size (a gap).
+/// Returns the judgement of all added effects of a search at this size; `why` explains how the size was chosen.
 CouldShow couldShow(const hypotheses::Search& search, double size, const std::string& why);
 
-/// Judges implants at a third of the gap above the noise or, if there is hardly any gap, at 10 % of the force.
+/// Returns the judgement at a third of the gap above the noise. If this is less than the noise floor or the gap that an
+/// engineer accepts, the size is 10 % of the force.
 CouldShow couldShow(const hypotheses::Search& search);
 
 }  // namespace rubber_suspension::diagnosis::experiment

@@ -1,4 +1,4 @@
-// Differences between explanations after a refit.
+// Refits explanations to motions and compares the results.
 #include "diagnosis/experiment/discrimination.h"
 
 #include <algorithm>
@@ -18,9 +18,9 @@
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr std::size_t kRefitted = 8;   // motions that explanations are fitted to
-constexpr std::size_t kAtOnce = 2;     // of these, at the same time
-constexpr double kLeastSquare = 1e-8;  // of the force: keeps logarithms finite
+constexpr std::size_t kRefitted = 8;   // largest number of motions to which explanations are refitted
+constexpr std::size_t kAtOnce = 2;     // number of these motions that are simulated at the same time
+constexpr double kLeastSquare = 1e-8;  // smallest mean square, so that logarithms are finite
 
 void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns) {
   const double square = direction.squaredNorm();
@@ -29,7 +29,8 @@ void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns
   }
 }
 
-// Removes the unknowns of a new log: its offset, a ramp if trends are free, a multiple of the force if gains are.
+// Eliminates the free parameters of a new log: its offset, a ramp if trends are free, and a multiple of the force if
+// gains are free.
 Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, const fit::PerLogNuisances& free, const Eigen::VectorXd& force) {
   columns.rowwise() -= columns.colwise().mean().eval();
   const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 1.0);
@@ -80,13 +81,13 @@ std::vector<std::size_t> Discriminator::playable() const {
   return motions;
 }
 
-// Additional noise of a new log with this force, in the units of the judgement.
+// Returns the additional squared noise of a new log with this force, divided by the variance of this force.
 double Discriminator::moreNoise(const Eigen::VectorXd& force) const {
   const double ratio = force_ / gap::standardDeviation(force);
   return std::pow(judge::fittedNumbers().floor_known * noise_, 2) * std::max(0.0, ratio * ratio - 1.0);
 }
 
-// Expected entropy of the names without a refit, by which motions are ordered.
+// Returns the expected entropy of the names if explanations are not refitted, by which motions are sorted.
 double Discriminator::unrefitted(std::size_t motion) const {
   const auto logs = static_cast<double>(fitter_.records().size());
   double open = 0.0;
@@ -102,7 +103,8 @@ double Discriminator::unrefitted(std::size_t motion) const {
   return open;
 }
 
-// The best motions, of each kind in turn, because a refit absorbs motions of one kind by the same parameters.
+// Returns the motions with the least entropy, in rounds of one motion of each kind. A refit absorbs the differences on
+// motions of one kind by the same parameters.
 std::vector<std::size_t> Discriminator::promising(const std::vector<std::size_t>& motions) const {
   std::vector<std::pair<double, std::size_t>> order(motions.size());
   fit::parallelFor(motions.size(), threads_, [&](std::size_t i) { order[i] = {unrefitted(motions[i]), motions[i]}; });
@@ -137,13 +139,14 @@ bool Discriminator::addsUp(std::size_t explanation) const {
   return explanations_[explanation].fitted->hypothesis.isAdditive() && fitter_.forces().isAdditive();
 }
 
-// True if the force of a term does not depend on the others.
+// Returns true if the force of a term does not depend on the other terms.
 bool Discriminator::isPlayedAlone(std::size_t explanation, Eigen::Index term) const {
   const fit::Hypothesis& hypothesis = explanations_[explanation].fitted->hypothesis;
   return hypothesis.terms[static_cast<std::size_t>(term)].on_rig || addsUp(explanation);
 }
 
-// True for terms that a fit may move. Terms at 0 whose force would have to be simulated together with others stay at 0.
+// For each term, returns true if a refit may change it. A term at 0 stays there if its force would have to be simulated
+// together with other terms.
 std::vector<bool> Discriminator::movable(std::size_t explanation) const {
   const Eigen::VectorXd& scales = explanations_[explanation].fitted->fit.parameters.scales;
   std::vector<bool> movable;
@@ -153,7 +156,7 @@ std::vector<bool> Discriminator::movable(std::size_t explanation) const {
   return movable;
 }
 
-// An explanation on the motions, with the forces of terms that are played alone.
+// Returns an explanation with the forces on the motions of those terms that can be simulated alone.
 fit::Hypothesis Discriminator::played(std::size_t explanation) const {
   fit::Hypothesis hypothesis = explanations_[explanation].fitted->hypothesis;
   fit::parallelFor(hypothesis.terms.size(), threads_, [&](std::size_t t) {
@@ -168,7 +171,8 @@ fit::Hypothesis Discriminator::played(std::size_t explanation) const {
   return hypothesis;
 }
 
-// Derivatives on each of the motions played, after elimination of the unknowns of a new log. `whole`: forces there.
+// Returns the derivatives of the force with respect to the parameters on each motion that is played, after elimination
+// of the free parameters of a new log. `whole` contains the forces of the explanation on these motions.
 std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
                                                         const std::vector<Eigen::VectorXd>& whole) const {
   const fit::Hypothesis hypothesis = played(explanation);
@@ -187,7 +191,7 @@ std::vector<Eigen::MatrixXd> Discriminator::derivatives(std::size_t explanation,
   return derivatives;
 }
 
-// Stores the products for a refit of a wrong explanation, because its columns would need too much memory.
+// Stores the products that a refit of a wrong explanation needs, because the derivatives would need too much memory.
 void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& motions) {
   Predictions& of_wrong = predictions_[wrong];
   const auto whole = element::each(motions, [&](std::size_t motion) { return of_wrong.force[motion]; });
@@ -203,7 +207,8 @@ void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& m
   }
 }
 
-// Prior of the sizes of an explanation's members, whose terms have these products [squares of the force's deviation].
+// Returns the log prior of the sizes of the effects of an explanation. The terms have the products `gram`, in units of
+// the variance of the force.
 double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixXd& gram,
                                    const Eigen::VectorXd& scales) const {
   std::vector<double> sizes;
@@ -218,13 +223,14 @@ double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixX
   return judge::priorOfSizes(sizes, explanations_[explanation].usual_size, judge::fittedNumbers().share_spread);
 }
 
-// Error of the wrong explanation on the motion and the logs after a refit, and the change of its prior.
+// Returns the error of the wrong explanation on the motion and the logs after a refit, and the change of the prior of
+// its sizes.
 Refitted Discriminator::refitted(std::size_t right, std::size_t wrong, std::size_t motion) const {
   const Normal& normal = normal_[wrong];
   const OnMotion& on_motion = predictions_[wrong].on_motion[motion];
   const Eigen::VectorXd& force = predictions_[right].force[motion];
   const auto logs = static_cast<double>(fitter_.records().size());
-  // Relative to the force of the new log, which weighs as much as each of the others.
+  // Errors are relative to the force of the new log, which has the same weight as each earlier log.
   const double variance = std::pow(gap::standardDeviation(force), 2);
   const double unit = 1.0 / (variance * static_cast<double>(force.size()));
   const Eigen::Index count = on_motion.gram.cols();
@@ -262,7 +268,7 @@ Discrimination Discriminator::weigh(const Experiment& experiment, std::size_t mo
       result.difference *= gap::standardDeviation(predictions_[0].force[motion]);
     }
   }
-  // Each log counts less in the judgement when one is added; a log that costs more than it gains can be omitted.
+  // A further log lowers the weight of each earlier log. If a motion would raise the entropy, its log can be omitted.
   result.open = std::min(result.open, openNames(explanations_, probabilitiesOf(explanations_)));
   return result;
 }

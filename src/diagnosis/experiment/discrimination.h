@@ -1,4 +1,5 @@
-// Differences between explanations of the same logs on a motion, after a refit of the wrong ones to it.
+// Computes how well a motion distinguishes between explanations of the same logs, if the wrong explanations are
+// refitted to the motion.
 #pragma once
 
 #include <limits>
@@ -11,24 +12,28 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// A motion with its expected outcome.
+/// A motion with the outcome that is expected of it.
 struct Discrimination {
   const Experiment* experiment = nullptr;
-  double difference = 0.0;  ///< if the first explanation is right: RMS error of the nearest other after a refit [N]
-  std::size_t nearest = 0;  ///< that explanation, which does not contain the first; 0: there is none
-  double open = std::numeric_limits<double>::infinity();  ///< expected entropy of names after it [bit]
-  double probability = 0.0;  ///< expected, that the right explanation stands alone after it
+  /// if the first explanation is right: RMS force error of the nearest other explanation after a refit [N]
+  double difference = 0.0;
+  /// index of this nearest explanation, which does not contain the effects of the first; 0 if there is none
+  std::size_t nearest = 0;
+  /// expected entropy of the names of effects once the motion is recorded [bit]
+  double open = std::numeric_limits<double>::infinity();
+  double probability = 0.0;  ///< expected probability that the right explanation is then the only likely one
 };
 
-/// Finds the motion that most lowers the expected entropy of the names (Lindley, Ann. Math. Stat. 27, 1956): for each
-/// effect, whether it is at work. Each explanation is assumed right with its probability, and all others are refitted
-/// by a Gauss-Newton step on the normal equations of the logs and the motion together. Their remaining errors are
-/// judged as in a diagnosis, and so are the sizes of their members: a set that contains the right one can reproduce its
-/// force, but only with a further member of almost no force, which is improbable. The offset of a new log is free.
+/// Finds the motion that most lowers the expected entropy of the question which effects are at work (Lindley, Ann.
+/// Math. Stat. 27, 1956). Each explanation in turn is assumed to be right, with its probability. All others are
+/// refitted by a Gauss-Newton step to the logs and the motion together, in which the offset of the new log is free.
+/// Their remaining errors are judged as in a diagnosis, and so are the sizes of their effects. An explanation that
+/// contains the right one can reproduce its force, but only with a further effect of almost no force, which is
+/// improbable.
 class Discriminator {
  public:
-  /// All arguments have to outlive this object. `force_limit`: largest force that an explanation may predict for a
-  /// motion; other motions are excluded [N].
+  /// All arguments have to outlive this object. Motions for which an explanation predicts a larger force than
+  /// `force_limit` [N] are excluded.
   Discriminator(const fit::Fitter& fitter, const hypotheses::Search& search,
                 const std::vector<Explanation>& explanations, double force_limit, int threads);
   Discriminator(const Discriminator&) = delete;
@@ -36,23 +41,25 @@ class Discriminator {
 
   void setForceLimit(double force_limit) { force_limit_ = force_limit; }
 
-  /// Returns the motion of a menu with the least expected entropy; without an experiment if none can be played.
+  /// Returns the motion of the menu with the least expected entropy. The result has no experiment if every motion of
+  /// the menu is excluded.
   Discrimination best(const std::vector<Experiment>& menu);
 
  private:
   struct Normal {
-    Eigen::MatrixXd gram;     // of the logs, priors included
-    numerics::Limits bounds;  // of a step
+    Eigen::MatrixXd gram;     // normal matrix of the logs, including priors
+    numerics::Limits bounds;  // limits of a step
     fit::PerLogNuisances free;
   };
-  // Products of the derivatives C of an explanation on a motion and of its difference d to each of the others, after
-  // elimination of the unknowns of a new log.
+  // Products of the derivatives C of the force of an explanation on a motion. Its vectors contain an entry for each
+  // other explanation, with d the difference between the forces of both. The free parameters of a new log are
+  // eliminated.
   struct OnMotion {
     Eigen::MatrixXd gram;                 // C'C
     std::vector<Eigen::VectorXd> moment;  // C'd
     std::vector<double> square;           // d'd
   };
-  // The forces of an explanation on the motions.
+  // The forces of an explanation on each of the motions.
   struct Predictions {
     std::vector<Eigen::VectorXd> force;
     std::vector<OnMotion> on_motion;
@@ -78,12 +85,12 @@ class Discriminator {
   const fit::Fitter& fitter_;
   const std::vector<Explanation>& explanations_;
   const std::vector<fit::Candidate>& candidates_;
-  double noise_;  // floor of the logs over the standard deviation of their force
+  double noise_;  // noise floor of the logs divided by the standard deviation of their force
   double force_;  // standard deviation of the force of the logs [N]
   double force_limit_;
   int threads_;
   PlayedMotions played_;
-  fit::HypothesisForces forces_;  // over the motions
+  fit::HypothesisForces forces_;  // evaluates forces on the motions
   std::vector<Normal> normal_;
   std::vector<Predictions> predictions_;
 };

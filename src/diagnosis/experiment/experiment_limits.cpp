@@ -1,4 +1,4 @@
-// Limits of a proposed experiment: their table, and the parser of assignments.
+// The table of the limits of a proposed experiment, and the parser of --limits.
 #include "rubber_suspension/diagnosis/experiment_limits.h"
 
 #include <fmt/format.h>

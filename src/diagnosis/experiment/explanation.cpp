@@ -1,4 +1,4 @@
-// Explanations that compete.
+// Selects competing explanations and predicts how one more log would change their probabilities.
 #include "diagnosis/experiment/explanation.h"
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr std::size_t kMost = 6;  // explanations compared: each has to be fitted to each motion of the menu
+constexpr std::size_t kMost = 6;  // largest number of explanations; each has to be fitted to each motion of the menu
 
 using Ranked = std::pair<double, int>;  // probability and hypothesis
 
-// The hypothesis judged first, then the others by their probability.
+// Returns the judged hypothesis, followed by the others sorted by probability.
 std::vector<Ranked> rankedHypotheses(const Workings& workings) {
   const judge::SetPosterior posterior = judge::setPosterior(workings.table, judge::fittedNumbers());
   std::vector<Ranked> ranked = {{posterior.none, judge::Evidence::kAsConfigured},
@@ -30,7 +30,7 @@ std::vector<Ranked> rankedHypotheses(const Workings& workings) {
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.first > b.first; });
   const auto judged =
       std::find_if(ranked.begin(), ranked.end(), [&](const Ranked& one) { return one.second == answer.model; });
-  judged->first = answer.probability;  // also if this is the probability of an unlisted cause alone
+  judged->first = answer.probability;  // may be the probability of an unlisted cause alone
   std::rotate(ranked.begin(), judged, judged + 1);
   return ranked;
 }
@@ -66,7 +66,7 @@ std::vector<double> probabilitiesOf(const std::vector<Explanation>& explanations
 }
 
 double openNames(const std::vector<Explanation>& explanations, const std::vector<double>& weights) {
-  std::map<int, double> with;  // by effect
+  std::map<int, double> with;  // weight of the explanations that contain each effect
   double sum = 0.0;
   for (std::size_t e = 0; e < explanations.size(); ++e) {
     sum += weights[e];

@@ -1,4 +1,4 @@
-// The explanations of the same logs between which an experiment is to decide.
+// Competing explanations of the same logs, between which an experiment is to decide.
 #pragma once
 
 #include <string>
@@ -12,38 +12,41 @@ namespace rubber_suspension::diagnosis::experiment {
 struct Explanation {
   const hypotheses::FittedHypothesis* fitted = nullptr;
   double probability = 0.0;
-  double expected = 1e-4;   ///< expected squared residual of a log (judge::expectedSquares())
-  double loss = 0.0;        ///< mean over the logs so far (judge::lossOf())
-  double usual_size = 0.0;  ///< size below which a member is improbable
+  double expected = 1e-4;   ///< mean expected squared residual of the logs (judge::expectedSquares())
+  double loss = 0.0;        ///< mean of judge::lossOf() over the logs so far
+  double usual_size = 0.0;  ///< size below which an effect is improbable (judge::usualSize())
 };
 
-/// An explanation after a refit with one further log, for which another explanation is right.
+/// A wrong explanation after it has been refitted to the logs and a new log that follows from the right explanation.
 struct Refitted {
-  double left = 0.0;   ///< squared error in that log beyond that of the right explanation
-  double prior = 0.0;  ///< change of the log prior of its members' sizes
+  double left = 0.0;   ///< squared error on the new log; the right explanation has the error 0
+  double prior = 0.0;  ///< change of the log prior of the sizes of its effects
 };
 
 /// Expected outcome of a diagnosis with one more log.
 struct Outlook {
-  double alone = 0.0;  ///< probability that the right explanation stands alone
-  double open = 0.0;   ///< entropy of the names: for each effect, whether it is at work [bit]
+  double alone = 0.0;  ///< probability that the right explanation is then the only likely one
+  double open = 0.0;   ///< entropy of the question which effects are at work, summed over the effects [bit]
 };
 
-/// Returns the judged hypothesis, then the likeliest others; the model as configured or re-estimated may be among them.
+/// Returns the judged hypothesis, followed by the likeliest others. The model as configured and the re-estimated model
+/// may be among them.
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
 std::vector<double> probabilitiesOf(const std::vector<Explanation>& explanations);
 
-/// Returns the entropy of the names if explanations have these weights [bit]. Sets that share an effect agree on it.
+/// Returns the entropy of the question which effects are at work, if the explanations have these weights [bit]. An
+/// effect that all explanations contain does not contribute to the entropy.
 double openNames(const std::vector<Explanation>& explanations, const std::vector<double>& weights);
 
-/// Returns the outlook if explanation `right` is right and one log is added to `logs` logs. All logs have the same
-/// weight, so that earlier ones count less than before. The form error of the right explanation scatters as the
-/// judgement expects. `noise`: additional squared error of the new log, if it has more noise.
+/// Returns the expected outcome if the explanation with the index `right` is right and one log is added to `logs` logs.
+/// All logs have the same weight, so that the weight of earlier logs decreases. The form error of the right explanation
+/// has the distribution that the judgement assumes. `noise` is the squared noise of the new log in addition to that of
+/// the earlier logs.
 Outlook outlookOf(std::size_t right, const std::vector<Explanation>& explanations,
                   const std::vector<Refitted>& refitted, double noise, double logs);
 
-/// Returns a name such as "friction + creep"; "the model as it is" without members.
+/// Returns a name such as "friction + creep", or "the model as it is" for a hypothesis without effects.
 std::string nameOf(const hypotheses::Search& search, const hypotheses::FittedHypothesis& fitted);
 
 }  // namespace rubber_suspension::diagnosis::experiment

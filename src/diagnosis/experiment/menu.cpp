@@ -1,4 +1,4 @@
-// The menu of motions.
+// Constructs the motions of the menu.
 #include "diagnosis/experiment/menu.h"
 
 #include <fmt/format.h>
@@ -15,35 +15,36 @@ namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr double kTwoPi = 2.0 * element::kPi;
-constexpr double kWithin = 1.0 - 1e-6;        // of a bound, so that rounding does not exceed it
-constexpr double kMostSamplesOfMotion = 1e5;  // longer motions have a multiple of the time step
-constexpr double kCyclesOfMotion = 40.0;      // at most: a fit to some of them has to predict the others
+// fraction of a bound that motions use, so that rounding does not exceed the bound
+constexpr double kWithin = 1.0 - 1e-6;
+constexpr double kMostSamplesOfMotion = 1e5;  // longer motions are sampled with a multiple of the time step
+constexpr double kCyclesOfMotion = 40.0;  // largest number of cycles; a fit to some of them has to predict the others
 constexpr double kFewestCycles = 6.0;
-constexpr double kPerPeriod = 40.0;  // samples for a comparison of models, at the highest frequency
+constexpr double kPerPeriod = 40.0;  // samples per period of the highest frequency that a comparison of models needs
 
 using Law = std::function<double(double)>;
 
-// Rises from 0 to 1 within a duration, at rest at both ends.
+// Returns 0 before t = 0 and 1 after `duration`; in between, the value rises smoothly.
 double eased(double t, double duration) {
   return t <= 0.0 ? 0.0 : t >= duration ? 1.0 : 0.5 - 0.5 * std::cos(element::kPi * t / duration);
 }
 
-// A triangle of amplitude 1 and period 1 that begins at 0.
+// Returns a triangular wave of amplitude 1 and period 1 that begins at 0.
 double triangle(double t) { return 2.0 / element::kPi * std::asin(std::sin(kTwoPi * t)); }
 
-// The parts of a motion of the menu.
+// What defines a motion of the menu.
 struct Shape {
   std::string kind;
   double length;      // [s]
-  double ease;        // at its beginning and at its end [s]
-  double frequency;   // highest that the steps have to resolve [Hz]
-  double share;       // of the half stroke that its peak should reach, as far as the speed allows
-  Law law;            // of time [s], of any amplitude
-  std::string words;  // each # stands for one of `parts` of the peak [mm]
+  double ease;        // duration of the smooth start and of the smooth end [s]
+  double frequency;   // highest frequency that the time steps have to resolve [Hz]
+  double share;       // fraction of the half stroke that the peak reaches, unless the speed limits it
+  Law law;            // displacement as a function of time [s]; its amplitude is scaled
+  std::string words;  // description; each # is replaced by the peak [mm] times one of `parts`
   std::vector<double> parts = {1.0};
 };
 
-// The description of a motion with its displacements.
+// Returns the description of a motion with its amplitudes.
 std::string described(const Shape& shape, double peak) {
   std::string text = shape.words;
   for (const double part : shape.parts) {
@@ -56,7 +57,7 @@ class Menu {
  public:
   explicit Menu(const Bounds& bounds)
       : bounds_(bounds),
-        // The largest rate of an ease is pi/2 times its mean rate.
+        // The largest rate of a smooth start is pi/2 times its mean rate.
         travel_(0.5 * element::kPi * std::abs(bounds.stroke.centre) / bounds.speed / kWithin),
         room_(bounds.duration - 2.0 * travel_) {}
 
@@ -79,8 +80,8 @@ class Menu {
  private:
   void findFrequencies() {
     constexpr double kFewCycles = 5.0;
-    // At a corner the rate jumps between two samples, so that a force that depends on the rate appears late by part of
-    // a sample. With this number of samples per cycle, this affects one percent of a cycle.
+    // At a corner, the rate jumps between two samples, so that a force that depends on the rate is late by part of a
+    // sample. With this number of samples per cycle, the lag is at most one percent of a cycle.
     constexpr double kSamplesOfTriangle = 400.0;
     highest_ = bounds_.frequency;
     full_ = std::min(highest_, bounds_.speed / (kTwoPi * bounds_.stroke.half));
@@ -88,7 +89,7 @@ class Menu {
     corner_ = 1.0 / (kSamplesOfTriangle * bounds_.dt);
   }
 
-  // Adds a shape, unless it takes longer than the permitted duration or its samples would be too coarse.
+  // Adds a motion, unless it takes longer than the permitted duration or its samples would be too far apart.
   void add(const Shape& shape) {
     const double whole = shape.length + 2.0 * travel_;
     const double dt = bounds_.dt * std::max(1.0, std::ceil(whole / (kMostSamplesOfMotion * bounds_.dt)));
@@ -123,7 +124,7 @@ class Menu {
     return bounds_.stroke.centre == 0.0 ? "" : fmt::format(", all about {:.3g} mm", 1e3 * bounds_.stroke.centre);
   }
 
-  // The wanted number of cycles, or as many as there is room for; 0 if these are too few.
+  // Returns the wanted number of cycles, or fewer if the duration limits it. Returns 0 if these are too few.
   double cyclesWithin(double frequency, double wanted) const {
     const double cycles = std::min(wanted, std::floor(0.95 * room_ * frequency));
     return cycles < kFewestCycles ? 0.0 : cycles;
@@ -140,8 +141,8 @@ class Menu {
     }
   }
 
-  // Two sines of full stroke, the second at the highest frequency for it and the first at a quarter of this: effects of
-  // the displacement alone are the same in both.
+  // Adds a motion of two sines of full stroke, one after the other. The second has the highest frequency that the speed
+  // allows, and the first a quarter of it. Effects of the displacement alone are equal in both sines.
   void addTwoSines() {
     constexpr double kApart = 4.0;
     const double slow = full_ / kApart;
@@ -155,7 +156,8 @@ class Menu {
                      half, full_)});
   }
 
-  // Logarithmic in frequency, of one amplitude or, above the fastest sine of full stroke, of one speed.
+  // Adds a sweep, logarithmic in frequency. The amplitude is constant up to the highest frequency of a sine of full
+  // stroke, and the speed above it.
   void addSweeps() {
     const double length = 0.95 * room_;
     const double rise = std::log(highest_ / lowest_) / length;
@@ -173,8 +175,8 @@ class Menu {
          words + fmt::format(" up to {:.3g} Hz and at the same speed above", full_)});
   }
 
-  // Lines of an odd or an even multiple of one frequency, of equal speed, with phases that keep the peaks low
-  // (Schroeder).
+  // Adds multisines with the odd or the even harmonics of one frequency. All harmonics have the same speed, and phases
+  // that keep the peak low (Schroeder).
   void addMultisines() {
     constexpr int kLines = 8;
     for (const int first : {1, 2}) {
@@ -195,7 +197,7 @@ class Menu {
     }
   }
 
-  // A staircase through the stroke, and one step that is held.
+  // Adds a staircase through the stroke, and a single step that is held.
   void addHolds() {
     static constexpr std::array<double, 8> kLevels = {0.5, 1.0, 0.5, 0.0, -0.5, -1.0, -0.5, 0.0};
     const double length = 0.95 * room_;
@@ -248,10 +250,10 @@ class Menu {
     }
   }
 
-  // Amplitudes one after the other, at the fastest sine of full stroke.
+  // Adds sines of several amplitudes one after the other, at the highest frequency of a sine of full stroke.
   void addAmplitudes() {
     const double omega = kTwoPi * full_;
-    const double cycles = std::floor(cyclesWithin(full_, kCyclesOfMotion) / 3.0);  // of each amplitude
+    const double cycles = std::floor(cyclesWithin(full_, kCyclesOfMotion) / 3.0);  // cycles of each amplitude
     const double phase = cycles / full_;
     const auto addParts = [&](const std::string& kind, const std::vector<double>& part) {
       add({kind, 3.0 * phase, 1.0 / full_, full_, 1.0,
@@ -267,7 +269,7 @@ class Menu {
     addParts("amplitudes", {1.0, 0.3, 0.1});
   }
 
-  // Sines of full stroke: repeated after a rest, between rests, and without a rest.
+  // Adds sines of full stroke: repeated after a rest, between two rests, and without a rest.
   void addRepeats() {
     const double omega = kTwoPi * full_;
     const double cycle = 1.0 / full_;
@@ -287,11 +289,11 @@ class Menu {
   }
 
   const Bounds& bounds_;
-  double travel_;         // to the centre [s]
+  double travel_;         // duration of the motion to the centre [s]
   double room_;           // time available for a motion about the centre [s]
   double highest_ = 0.0;  // highest frequency of the motions [Hz]
   double full_ = 0.0;     // highest frequency of a sine of full stroke [Hz]
-  double lowest_ = 0.0;   // lowest frequency of which some cycles fit in [Hz]
+  double lowest_ = 0.0;   // lowest frequency of which several cycles take no longer than `room_` [Hz]
   double corner_ = 0.0;   // highest frequency of a triangle [Hz]
   std::vector<Experiment> menu_;
 };

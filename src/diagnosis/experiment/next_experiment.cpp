@@ -1,4 +1,4 @@
-// The search for the experiment that is proposed.
+// Searches for the experiment that a report proposes.
 #include "diagnosis/experiment/next_experiment.h"
 
 #include <utility>
@@ -11,9 +11,9 @@
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr double kSure = 0.95;          // probability of a verdict that no further experiment is proposed for
-constexpr double kWorthPlaying = 0.25;  // of the entropy of the names, which a motion has to remove
-constexpr double kNothingOpen = 1e-3;   // [bit]
+constexpr double kSure = 0.95;          // probability of the verdict above which no experiment is proposed
+constexpr double kWorthPlaying = 0.25;  // smallest fraction of the entropy that a proposed motion has to remove
+constexpr double kNothingOpen = 1e-3;   // entropy below which all explanations name the same effects [bit]
 
 struct Relaxation {
   WiderLimit limit;
@@ -23,7 +23,7 @@ struct Relaxation {
 std::vector<Relaxation> relaxationsOf(const Bounds& bounds) {
   constexpr double kWider = 2.0;
   constexpr double kLonger = 5.0;
-  constexpr double kForce = 3.0;  // for twice the stroke or speed, including stiffening
+  constexpr double kForce = 3.0;  // factor of the force at twice the stroke or speed, which allows for stiffening
   Bounds wider = bounds;
   wider.stroke.half *= kWider;
   wider.speed *= kWider;

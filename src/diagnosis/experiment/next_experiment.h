@@ -11,38 +11,40 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// Outcome of the search for an experiment, with the reason for none.
+/// Result of the search for an experiment.
 enum class Proposal {
-  agrees,        ///< none: the model agrees with the measurement
-  sure,          ///< none: the verdict is sure
-  no_rival,      ///< none: no second explanation was fitted
-  same_effects,  ///< none: all explanations name the same effects
-  no_motion,     ///< none stays within the limits
+  agrees,        ///< none is needed, because the model agrees with the measurement
+  sure,          ///< none is needed, because the verdict is sure
+  no_rival,      ///< none is possible, because no second explanation was fitted
+  same_effects,  ///< none is needed, because all explanations name the same effects
+  no_motion,     ///< none is possible, because no motion stays within the limits
   within_limits,
-  beyond_limits,  ///< none within the limits, but one within a wider limit
+  /// no experiment within the limits distinguishes the explanations, but one within a wider limit would
+  beyond_limits,
   none
 };
 
-/// The limit that was widened.
+/// The limit that has to be widened for Proposal::beyond_limits.
 enum class WiderLimit { stroke, speed, duration };
 
 /// An experiment, or the reason why none is proposed.
 struct NextExperiment {
   Proposal proposal = Proposal::none;
-  std::vector<std::string> names;  ///< of the explanations, the judged one first
-  double open = 0.0;               ///< entropy of the names: for each effect, whether it is at work [bit]
+  std::vector<std::string> names;  ///< names of the explanations, the judged one first
+  double open = 0.0;               ///< entropy of the question which effects are at work, summed over the effects [bit]
   std::string motion;              ///< best motion within the limits
-  double open_after = 0.0;         ///< expected entropy after it [bit]
-  std::string nearest;             ///< explanation nearest to the judged one in this motion; empty: none
+  double open_after = 0.0;         ///< expected value of this entropy once `motion` is recorded [bit]
+  /// name of the explanation that is nearest to the judged one on `motion`; empty if there is none
+  std::string nearest;
   WiderLimit limit = WiderLimit::stroke;
-  Bounds wider;                   ///< bounds with that limit
-  std::string wider_motion;       ///< best motion within these bounds
-  double wider_open_after = 0.0;  ///< expected entropy after it [bit]
-  ProposedExperiment proposed;    ///< within the limits
+  Bounds wider;                   ///< bounds with this limit widened
+  std::string wider_motion;       ///< best motion within the wider bounds
+  double wider_open_after = 0.0;  ///< expected entropy once `wider_motion` is recorded [bit]
+  ProposedExperiment proposed;    ///< the proposed experiment, which is within the limits
 };
 
-/// Returns the experiment with the least expected entropy of the names of effects or, if none is proposed, the reason
-/// and the wider limit within which one would be.
+/// Returns the experiment after which the expected entropy of the question which effects are at work is smallest. If
+/// none is proposed, the result states the reason and, if there is one, a wider limit that would admit an experiment.
 NextExperiment nextExperiment(const fit::Fitter& fitter, const Workings& workings, const ExperimentLimits& limits,
                               int threads);
 

@@ -1,4 +1,4 @@
-// The plan: logs are simulated with noise, and effects implanted into them.
+// Simulates planned logs with noise, and predicts which effects a diagnosis of them would find.
 #include "rubber_suspension/diagnosis/plan.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// Simulates the force of the component over the logs, one after the other, and adds noise.
+// Simulates the force of the component on one log after the other, and adds noise.
 void simulateForces(const component::Component& component, double noise, std::vector<log::Log>& logs) {
   component::ComponentState state = component.makeState();
   std::mt19937 generator(1);

@@ -1,4 +1,4 @@
-// Forces over motions after the logs.
+// Simulates motions after the turning points of the logs.
 #include "diagnosis/experiment/played_motions.h"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
-constexpr double kRipple = 0.02;  // of a log's range: smaller reversals hardly soften
+constexpr double kRipple = 0.02;  // fraction of the range of a log; smaller reversals hardly soften the rubber
 
-// Samples at which a displacement turns round by more than the ripple, the last one included.
+// Returns the samples at which the displacement reverses by more than the ripple, and the last sample.
 std::vector<Eigen::Index> turningPoints(const Eigen::VectorXd& z) {
   const double ripple = kRipple * (z.maxCoeff() - z.minCoeff());
   std::vector<Eigen::Index> turns;

@@ -1,4 +1,4 @@
-// Forces over motions that a component performs after the logs of a diagnosis.
+// Simulates motions that a component performs after the logs of a diagnosis.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// Motions of the component of the logs, which is relaxed and cooled, but softened by the logs. Each motion is played
-/// directly after the logs.
+/// Motions that are performed directly after the logs. The component is the one of the logs: it has relaxed and cooled,
+/// but the logs have softened it.
 class PlayedMotions {
  public:
   explicit PlayedMotions(const std::vector<gap::PreparedRecord>& logs);
@@ -21,13 +21,13 @@ class PlayedMotions {
 
   const std::vector<const Experiment*>& motions() const { return motions_; }
 
-  /// Returns the force of a component over each motion [N], at every stride-th sample.
+  /// Returns the force of a component with these elements on each motion [N], at every stride-th sample.
   std::vector<Eigen::VectorXd> forces(const std::vector<element::ElementDescription>& elements) const;
 
  private:
-  // A turning point of the logs, and the time since the one before: softening depends on displacement and path.
+  // A turning point of the logs, and the time since the previous one. Softening depends on the turning points alone.
   struct Turn {
-    double after;  // [s]; 0: a log begins
+    double after;  // time since the previous turning point [s]; 0 for the first sample of a log
     double displacement;
   };
 

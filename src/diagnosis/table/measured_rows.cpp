@@ -1,4 +1,4 @@
-// Excitation, candidates and noise of a table.
+// Prepares a table for the search: its excitation, its noise, and the candidates.
 #include "diagnosis/table/measured_rows.h"
 
 #include <fmt/format.h>
@@ -25,11 +25,11 @@ namespace {
 
 using Points = std::vector<fit::TablePoint>;
 
-constexpr double kAssumed = 0.01;    // of K*: what laboratories state for bushings
-constexpr double kMostRough = 0.03;  // of K*: a rougher table may show an unlisted effect
-constexpr int kFewestFree = 3;       // complex degrees of freedom for an estimate
-constexpr int kHighestDegree = 7;    // of a polynomial: enough for eight levels
-constexpr double kMostUsed = 0.67;   // of the rows, by coefficients
+constexpr double kAssumed = 0.01;    // level of the noise relative to K* that laboratories state for bushings
+constexpr double kMostRough = 0.03;  // largest level relative to K*; a rougher table may show an unlisted effect
+constexpr int kFewestFree = 3;       // smallest number of complex degrees of freedom for an estimate
+constexpr int kHighestDegree = 7;    // highest degree of a polynomial, which is enough for eight levels
+constexpr double kMostUsed = 0.67;   // largest number of coefficients divided by the number of rows
 
 // Sum of squared relative errors, and its number of complex degrees of freedom.
 struct Rest {
@@ -44,13 +44,14 @@ double upperEnd(const Rest& rest) {
   return std::sqrt(rest.squares / rest.free * freedom / quantile);
 }
 
-// Rounds values, so that nominally equal ones are equal.
+// Rounds a value to a multiple of `unit`, so that nominally equal values are equal.
 long long rounded(double value, double unit) { return std::llround(value / unit); }
 
 using Condition = std::tuple<long long, long long>;
 using Place = std::tuple<long long, long long, Condition>;
 
-// Rounds mean displacement and temperature, which are measured, to a tenth of the smallest amplitude and half a kelvin.
+// Returns the mean displacement, rounded to a tenth of the smallest amplitude, and the temperature, rounded to half a
+// kelvin. Both are measured, so that nominally equal values differ.
 Condition conditionOf(const Points& points, const fit::TablePoint& point) {
   const auto smaller = [](const fit::TablePoint& x, const fit::TablePoint& y) { return x.amplitude < y.amplitude; };
   const double length = 0.1 * std::min_element(points.begin(), points.end(), smaller)->amplitude;
@@ -89,7 +90,7 @@ std::size_t levelsOf(const Points& points, double (*value)(const fit::TablePoint
   return levels.size();
 }
 
-// Residual of ln K* from a polynomial of these degrees.
+// Returns the residual of ln K* from a polynomial of these degrees in ln(frequency) and ln(amplitude).
 Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
   const auto rows = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd basis(rows, (in_frequency + 1) * (in_amplitude + 1));
@@ -110,7 +111,7 @@ Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
   return {left.values.squaredNorm(), static_cast<int>(rows - left.rank)};
 }
 
-// Residual of the polynomial with the least residual per degree of freedom, for one preload and temperature.
+// Returns the least residual per degree of freedom of any polynomial, for rows of one preload and temperature.
 Rest smoothRest(const Points& points) {
   const auto frequencies = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.frequency; }));
   const auto amplitudes = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.amplitude; }));
@@ -170,7 +171,7 @@ fit::Excitation MeasuredRows::excitation() const {
     try {
       const fit::MasterCurve curve = fit::masterCurve(loops_->points(), fit::middleTemperature(loops_->points()));
       excitation.activation_energy = curve.activationEnergy();
-    } catch (const std::invalid_argument&) {  // the rows do not determine the shifts
+    } catch (const std::invalid_argument&) {  // without activation energy, because the rows do not determine the shifts
     }
   }
   return excitation;
@@ -185,7 +186,8 @@ std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& exci
       candidate.terms.clear();
       candidate.free_in_log = {};
     }
-    // A loop about its mean has no side: for its fundamental, damping that grows towards one side equals a dashpot.
+    // A loop about its mean does not distinguish the two sides. Its first harmonic is the same for damping that grows
+    // towards one side and for a dashpot.
     candidate.terms.erase(std::remove_if(candidate.terms.begin(), candidate.terms.end(),
                                          [](const fit::BasisTerm& term) { return term.of_a_side; }),
                           candidate.terms.end());

@@ -1,4 +1,4 @@
-// A table as a measurement for the search.
+// A measured table as the data that the search fits.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,24 @@
 
 namespace rubber_suspension::diagnosis::table {
 
-/// The noise of a row, RMS of |error of K*|/|K*|, and its source.
+/// The noise of each row of a table, as the RMS of |error of K*|/|K*|, and the source of this number.
 struct Scatter {
   double level = 0.0;
   std::string source;
 };
 
-/// Returns one level for all rows, from the first available source: the stated uncertainty; repeated rows; for a table
-/// with temperatures, the residual of a master curve, shifted along both axes because the rows of one temperature share
-/// its error; the residual of ln K* from a polynomial in the logarithms of frequency and amplitude; 1 %, as
-/// laboratories reach. Residuals count at most 3 %, because a rougher table may show an unlisted effect. Estimates from
-/// few rows may be too low by chance, so that the level is the upper end of a one-sided 84 % interval.
+/// Returns one noise level for all rows. It is taken from the first of these sources that is available:
+/// 1. the stated uncertainty,
+/// 2. repeated rows,
+/// 3. for a table with temperatures, the residual of a master curve that is shifted along both axes, because the rows
+/// of one temperature have a common error,
+/// 4. the residual of a polynomial in the logarithms of frequency and amplitude that is fitted to ln K*,
+/// 5. an assumed level of 1 %.
+/// A level from a residual is at most 3 %, because the residual of a rougher table may be due to an unlisted effect.
+/// Estimates from few rows may be too low by chance, so the level is the upper end of a one-sided 84 % interval.
 Scatter scatterOf(const std::vector<fit::TablePoint>& points, std::optional<double> stated);
 
-/// Returns the effects that settled loops under single sines never show (Effect::in_settled_loops).
+/// Returns the effects that the settled loops of a table never show (Effect::in_settled_loops).
 std::vector<std::string> neverShownByTables();
 
 class MeasuredRows final : public hypotheses::Measured {

@@ -1,4 +1,4 @@
-// The diagnosis from a table to a result: the bench, search, judgement, description.
+// Diagnoses a table: checks the bench, searches the hypotheses, judges them and describes the result.
 #include "rubber_suspension/diagnosis/table_diagnosis.h"
 
 #include <fmt/format.h>
@@ -40,9 +40,10 @@
 namespace rubber_suspension::diagnosis::table {
 namespace {
 
-constexpr int kSteps = 7;             // of frequency and of amplitude
-constexpr double kLeastFloors = 2.0;  // noise floors by which explanations have to differ in a row
-constexpr double kBeyond = 2.0;       // factor by which rows may lie outside the measured range
+constexpr int kSteps = 7;  // number of frequencies, and of amplitudes, in the menu of new rows
+// smallest difference between explanations in a proposed row, divided by the noise floor
+constexpr double kLeastFloors = 2.0;
+constexpr double kBeyond = 2.0;  // factor by which a proposed row may lie outside the measured range
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -54,7 +55,7 @@ struct Range {
   }
 };
 
-// True if the table has a row that differs by at most a tenth in frequency and in amplitude.
+// Returns true if the table has a row whose frequency and amplitude both differ by at most a tenth.
 bool isMeasured(const std::vector<fit::TablePoint>& points, double frequency, double amplitude) {
   constexpr double kNear = 0.1;
   return std::any_of(points.begin(), points.end(), [&](const fit::TablePoint& point) {
@@ -63,7 +64,8 @@ bool isMeasured(const std::vector<fit::TablePoint>& points, double frequency, do
   });
 }
 
-// New rows over the range of a table, or beyond it. Their stiffness and loss angle are placeholders.
+// Returns possible new rows within the range of a table, which is widened by the factor `beyond`. Their stiffness and
+// loss angle are placeholders.
 std::vector<fit::TablePoint> menuOf(const std::vector<fit::TablePoint>& points, double beyond) {
   Range frequency;
   Range amplitude;
@@ -87,7 +89,7 @@ std::vector<fit::TablePoint> menuOf(const std::vector<fit::TablePoint>& points, 
   return menu;
 }
 
-// A row, with the rival nearest to the judged model there and its relative difference.
+// A row, the explanation whose K* is nearest to that of the judged model there, and the relative difference of both.
 struct Difference {
   fit::TablePoint row;
   std::size_t rival = 0;
@@ -125,8 +127,8 @@ std::string recordALog() {
   return "Record a log: it also shows " + words::enumerated(names) + ", which no table does.";
 }
 
-// Proposes the row, within the range of the table or up to twice as far, in which the competing explanations differ
-// most; or a log if no row distinguishes them.
+// Proposes to measure the row in which the explanations differ most. The row is within the range of the table or, if no
+// row there distinguishes them, up to twice as far. Proposes a log if no such row distinguishes them either.
 std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
   const hypotheses::Search& search = workings.search;
   if (workings.answer.verdict == Verdict::none) {
@@ -226,7 +228,7 @@ class TableDescriber {
     return fit::gapOfTable(table_.points, stiffnessOf(description));
   }
 
-  // Gap with a selection of values and effects.
+  // Returns the gap of a model with the re-estimated values if in[0], and with effect e if in[1 + e].
   double gapWith(const std::vector<bool>& in) const {
     hypotheses::FittedHypothesis some = judged_;
     if (!in[0]) {
@@ -255,7 +257,7 @@ class TableDescriber {
 
   std::vector<Complex> of(Complex DiagnosedRow::* model) const { return element::each(rows_, model); }
 
-  // Gaps on rows that took no part in the fit.
+  // Returns the gaps on rows that took no part in the fit.
   results::Left leftOfRows() const {
     Gap gap = {search_.configured_gap, gap::gapOfParts(search_.re_estimated.fit.blocks),
                gap::gapOfParts(judged_.fit.blocks), search_.noise.floor};
@@ -266,7 +268,7 @@ class TableDescriber {
     return {gap, gap.augmented, element::each(search_.singles, gapAlone), workings_->table};
   }
 
-  // Map of the errors of a model, with two cells for each row: stiffness and loss.
+  // Returns a map of the errors of a model, with a cell for stiffness and a cell for loss for each row.
   std::vector<gap::GapCell> mapOf(Complex DiagnosedRow::* model) const {
     double sum = 0.0;
     std::vector<gap::GapCell> cells;
@@ -352,8 +354,8 @@ std::vector<std::vector<double>> sizesOf(const MeasuredRows& measured, const hyp
   return sizes;
 }
 
-// The evidence of a search over the rows of a table, each as a log under one sine: log_errors and sizes of each
-// hypothesis are squares of differences of K* over |K*|.
+// Returns the evidence of a search on the rows of a table, each of which counts as a log with one sine. The errors and
+// sizes of each hypothesis are squared differences of K*, divided by |K*|^2.
 judge::Evidence evidenceOfRows(const MeasuredRows& measured, const hypotheses::Search& search, int threads) {
   judge::Evidence evidence = hypotheses::evidenceOf(search);
   evidence.logs.assign(measured.loops().points().size(), {search.noise.floor, 0.0, 1.0, false, 1});
