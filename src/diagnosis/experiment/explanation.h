@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// A fitted hypothesis, with its probability among the explanations.
+/// A fitted hypothesis and its probability among the explanations.
 struct Explanation {
   const hypotheses::FittedHypothesis* fitted = nullptr;
   double probability = 0.0;

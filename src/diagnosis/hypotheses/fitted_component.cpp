@@ -1,4 +1,3 @@
-// From a fitted hypothesis to a component description.
 #include "diagnosis/hypotheses/fitted_component.h"
 
 #include "diagnosis/effect.h"

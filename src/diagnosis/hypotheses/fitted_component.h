@@ -1,4 +1,4 @@
-// The component of a fitted hypothesis.
+// Converts a fitted hypothesis to a component description.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Returns the entries of a fitted hypothesis as a user would write them, such as all sliders of a friction in one
-/// table.
+/// Returns the entries of a fitted hypothesis as a user would write them. For example, all sliders of a friction law
+/// are merged into one table.
 std::vector<element::ElementDescription> entriesOf(const FittedHypothesis& fitted);
 
-/// Returns the model with the parameters of a fitted hypothesis, and adds the entries of that hypothesis.
+/// Returns a component with the model parameters and the additional entries of a fitted hypothesis.
 io::ComponentDescription augmentedDescription(const fit::ModelParameters& model, const FittedHypothesis& fitted);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -1,4 +1,4 @@
-// Implanted effects by projection.
+// Predicts residuals of added effects by projection.
 #include "diagnosis/hypotheses/implant.h"
 
 #include <algorithm>
@@ -14,17 +14,18 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-constexpr std::size_t kMostShapes = 6;  // of an effect: the first, the last and evenly spaced ones between
-constexpr double kNothing = 1e-9;       // gap: a smaller typical effect has no force but rounding errors
+// largest number of forms of an effect: the first term, the last one and evenly spaced ones between
+constexpr std::size_t kMostShapes = 6;
+constexpr double kNothing = 1e-9;  // gap below which the force of a typical effect is a rounding error
 
-// Basis terms that a candidate is fitted with.
+// The basis terms that are fitted for a candidate.
 struct Fitted {
   fit::Hypothesis hypothesis;
   std::vector<Eigen::Index> columns;
   std::vector<bool> is_signed;
 };
 
-// Normal equations after elimination of the model parameters and of the per-log unknowns `free`.
+// Normal equations after elimination of the model parameters and of the per-log nuisance parameters `free`.
 class Projected {
  public:
   Projected(const fit::HypothesisFitter& fitter, const Screening& screening, const fit::PerLogNuisances& free)
@@ -37,17 +38,18 @@ class Projected {
         squares_(screening.blocks().squares) {
     const Eigen::MatrixXd gram = screening.blocks(free).sum.topLeftCorner(size_, size_);
     Eigen::MatrixXd base = gram.topLeftCorner(model_, model_);
-    base.diagonal().array() *= 1.0 + 1e-9;  // for parameters that the logs do not determine
+    base.diagonal().array() *= 1.0 + 1e-9;  // keeps the matrix regular if the logs do not determine a parameter
     base.diagonal().array() += std::numeric_limits<double>::min();
     taken_ = numerics::solveSymmetric(base, Eigen::MatrixXd(gram.topRows(model_).rightCols(size_ - model_)));
     projected_ =
         gram.bottomRightCorner(size_ - model_, size_ - model_) - gram.bottomLeftCorner(size_ - model_, model_) * taken_;
   }
 
-  // Gap that a column causes, including any part of it that an error of the rig may explain.
+  // Returns the gap that the force of a basis term causes, including what an error of the rig could explain of it.
   double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
-  // Residuals of `scale` times a column after a fit of the model parameters and of a candidate's columns.
+  // Returns the residuals after a fit of the model parameters and of the terms `by` to a force, which is `scale` times
+  // that of a basis term. The term has the index `column` in the normal equations.
   Residuals residualsOf(Eigen::Index column, double scale, const Fitted& by) const {
     const std::vector<Eigen::Index>& columns = by.columns;
     const auto count = static_cast<Eigen::Index>(columns.size());
@@ -64,7 +66,7 @@ class Projected {
       }
     }
     Residuals residuals;
-    Eigen::VectorXd added = Eigen::VectorXd::Zero(size_);  // coefficients of all columns
+    Eigen::VectorXd added = Eigen::VectorXd::Zero(size_);  // coefficients of all terms
     if (count > 0) {
       const Eigen::VectorXd fitted = numerics::boundedLeastSquares(gram, moment, lower, upper);
       for (Eigen::Index i = 0; i < count; ++i) {
@@ -77,7 +79,7 @@ class Projected {
     rest.head(model_) = -taken_ * rest.tail(size_ - model_);
     residuals.gap = std::sqrt(std::clamp(rest.dot(plain_ * rest), 0.0, 1.0));
     residuals.chi = (departures_ * rest.head(model_)).norm();
-    // Per-log unknowns contribute in addition to the terms.
+    // The forces of per-log nuisance parameters are added to those of the terms.
     residuals.added = std::sqrt(std::max(0.0, added.dot(whole_ * added) + rest.dot((whole_ - plain_) * rest)));
     return residuals;
   }
@@ -87,18 +89,19 @@ class Projected {
     return (blocks.sum - blocks.prior).topLeftCorner(size_, size_);
   }
 
-  Eigen::MatrixXd departures_;  // derivatives of the departures from known values by the model parameters
+  // derivatives of the deviations from the data sheet with respect to the model parameters
+  Eigen::MatrixXd departures_;
   const std::vector<fit::Candidate>& candidates_;
   Eigen::Index model_;
   Eigen::Index size_;
-  Eigen::MatrixXd whole_;      // without priors and per-log unknowns
-  Eigen::MatrixXd plain_;      // without priors
-  Eigen::VectorXd squares_;    // of each column
-  Eigen::MatrixXd taken_;      // coefficients of the model parameters that fit each column
-  Eigen::MatrixXd projected_;  // of basis terms
+  Eigen::MatrixXd whole_;      // normal matrix without priors, before elimination of nuisance parameters
+  Eigen::MatrixXd plain_;      // normal matrix without priors, after elimination of nuisance parameters
+  Eigen::VectorXd squares_;    // sum of squares of each term
+  Eigen::MatrixXd taken_;      // coefficients of the model parameters that fit each term
+  Eigen::MatrixXd projected_;  // normal matrix of the basis terms after elimination of the model parameters
 };
 
-// Places of the basis terms that represent the shapes of an effect.
+// Returns the indices of the basis terms that represent the forms of an effect.
 std::vector<std::size_t> shapesOf(std::size_t terms) {
   std::vector<std::size_t> places;
   const std::size_t count = std::min(terms, kMostShapes);
@@ -123,7 +126,8 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
   const Projected alone(fitter, screening, {});
   const std::size_t candidates = screening.candidates().size();
   std::vector<Fitted> fitted;
-  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);  // null if it has no per-log unknowns
+  // null for a candidate without per-log nuisance parameters
+  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);
   std::vector<Implant> implants;
   std::vector<Eigen::Index> column_of;
   for (std::size_t c = 0; c < candidates; ++c) {

@@ -1,4 +1,4 @@
-// Errors, floors and sizes by log.
+// Computes errors, noise floors and sizes for each log.
 #include "diagnosis/hypotheses/log_table.h"
 
 #include <algorithm>
@@ -20,12 +20,14 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// Mean square of a force without possible errors of the rig, in units of the variance of the force.
+// Returns the mean square of a force after removal of possible errors of the rig, divided by the variance of the force
+// of the record.
 double meanSquare(const gap::PreparedRecord& record, const Eigen::VectorXd& force) {
   return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// Part of the residual of a log that a slow trend, an offset or a gain of a member explains beyond those of others.
+// Returns the part of the squared residual of a log that the nuisance parameters `free` explain in addition to
+// `others`.
 double takenInLog(const fit::PerLogNuisances& free, const fit::PerLogNuisances& others,
                   const gap::PreparedRecord& record, const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
@@ -35,14 +37,16 @@ double takenInLog(const fit::PerLogNuisances& free, const fit::PerLogNuisances& 
   return std::max(0.0, left(others) - left(free | others));
 }
 
-// Size of a force; for the rubber the mean is removed, because a sensor offset would absorb it.
+// Returns the mean square of a force, divided by the variance of the force of the record. For an effect of the rubber,
+// the mean of the force is removed first, because an offset would absorb it.
 double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_rig) {
   const Eigen::VectorXd counts = record.counts.size() > 0 ? record.counts : Eigen::VectorXd::Ones(record.size());
   const double mean = on_rig ? 0.0 : force.dot(counts) / record.counted();
   return (force.array() - mean).square().matrix().dot(counts) / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// Size of a member in each log. `added`: its force; `with`: force of the model including it, for its per-log unknowns.
+// Returns the size of an effect in each log. `added` is the force that the effect adds, and `with` is the force of the
+// model with the effect, which its per-log nuisance parameters need.
 std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::PerLogNuisances& all,
                                   const std::vector<gap::PreparedRecord>& records, const gap::Forces& added,
                                   const gap::Forces& with) {
@@ -57,7 +61,8 @@ std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::Pe
   return sizes;
 }
 
-// The hypothesis with the least error in the logs of the fit, apart from those with trends, which absorb slow noise.
+// Returns the hypothesis with the least error on the logs of the fit. Hypotheses with trends are ignored, because
+// trends absorb slow noise.
 const FittedHypothesis& bestOf(const Search& search) {
   const FittedHypothesis* best = &search.re_estimated;
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -66,7 +71,8 @@ const FittedHypothesis& bestOf(const Search& search) {
   return *best;
 }
 
-// Standard error of the logarithm of a record's floor, from the floors of three parts of the record.
+// Returns the standard error of the logarithm of the noise floor of a record, which is estimated from the noise floors
+// of three parts of the record.
 double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
   constexpr Eigen::Index kParts = 3;
   const Eigen::VectorXd left = record.withoutRig(residual);
@@ -84,7 +90,8 @@ double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd
   return std::sqrt((values - values.mean()).square().sum() / (kParts * (kParts - 1.0)));
 }
 
-// Shares of the octaves in the residual of a log, after removal of a trend or gain that is free there.
+// Returns the fractions of the squared residual of a log in each octave. Trends, gains and factors that are free in the
+// log are removed first.
 std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const gap::PreparedRecord& record,
                                  std::size_t place, const Eigen::VectorXd& simulated) {
   fit::PerLogNuisances free = hypothesis.free_in_log;
@@ -93,8 +100,8 @@ std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const gap::P
   return octaveShares(free.any() ? free.addedTo(record, place, simulated).withoutRig(left) : record.withoutRig(left));
 }
 
-// Weight of each octave, half from the force of the model and half from `left`, the shares of the octaves in the
-// residual: a residual outside the frequencies of the motion has to be explained, too.
+// Returns the weight of each octave: the mean of its fractions in the force of the model and in the residual (`left`).
+// The residual counts, because it also has to be explained outside the frequencies of the motion.
 std::vector<double> octavesOf(const Eigen::VectorXd& modelled, const std::vector<double>& left) {
   std::vector<double> octaves = octaveShares(modelled.array() - modelled.mean());
   if (octaves.empty() || left.empty()) {
@@ -106,7 +113,7 @@ std::vector<double> octavesOf(const Eigen::VectorXd& modelled, const std::vector
   return octaves;
 }
 
-// Selects the values of octaves whose weight is not negligible.
+// Returns the values of those octaves whose weight is not negligible.
 std::vector<double> whereCounted(const std::vector<double>& values, const std::vector<double>& octaves) {
   constexpr double kLeast = 1e-3;
   std::vector<double> counted;
@@ -183,7 +190,7 @@ class LogTable {
     }
   }
 
-  // Without a fit no block has to be held out.
+  // Returns errors on all samples. Without a fit, no part of a log has to be held out.
   std::vector<gap::PartError> partsAsConfigured() const {
     const FittedHypothesis& model = search_.as_configured;
     return gap::partErrors(prepared_.training, *prepared_.fitter.forces().at(model.hypothesis, model.fit.parameters));
@@ -195,7 +202,7 @@ class LogTable {
       return;
     }
     hypothesis.sizes = memberSizes(search_.candidates, prepared_.fitter.forces(), fitted);
-    for (const gap::PreparedRecord& record : prepared_.held_out) {  // each on a new component
+    for (const gap::PreparedRecord& record : prepared_.held_out) {  // each held-out log is of a new component
       const FittedHypothesis of_record{fit::aboutOtherRecords(fitted.hypothesis, {record}), fitted.fit};
       const auto sizes = memberSizes(search_.candidates, fit::HypothesisForces({record}, prepared_.model), of_record);
       for (std::size_t m = 0; m < sizes.size(); ++m) {
@@ -204,7 +211,7 @@ class LogTable {
     }
   }
 
-  // Adds shares of the logs of the fit; octaves of unseen ones are not distinguished.
+  // Adds the fractions of the logs of the fit. The octaves of held-out logs are not distinguished.
   void addSharesOf(int place, judge::HypothesisEvidence& hypothesis) const {
     const FittedHypothesis& fitted = search_.at(place);
     const auto forces = prepared_.fitter.forces().at(fitted.hypothesis, fitted.fit.parameters);
@@ -241,7 +248,7 @@ class LogTable {
   const PreparedCase& prepared_;
   const Search& search_;
   int threads_;
-  std::vector<UnseenErrors> unseen_;  // of each hypothesis; empty without hold-outs
+  std::vector<UnseenErrors> unseen_;  // errors of each hypothesis; empty without hold-outs
   judge::Evidence evidence_;
 };
 

@@ -1,4 +1,4 @@
-// Evidence by log: the error of each hypothesis, the force of each member, and the noise floor with its uncertainty.
+// Evidence for each log: the error of each hypothesis, the force of each of its effects, and the noise floor.
 #pragma once
 
 #include <vector>
@@ -10,26 +10,29 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Returns the parameters of a fitted hypothesis with the scales of one member, by its place, set to 0.
+/// Returns the parameters of a fitted hypothesis in which the scales of one effect are 0. `member` is the index of the
+/// effect in fit::Hypothesis::members.
 fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t member);
 
-/// Returns, for each member of a fitted hypothesis and each record, the mean square of the force that the member adds,
-/// in units of the variance of the record's force: the force with the member minus that without it, all other numbers
-/// as fitted. For members of the rubber the mean is removed, because an offset would absorb it. The residual that the
-/// per-log unknowns of a member absorb is added.
+/// Returns, for each effect of a fitted hypothesis and each record, the mean square of the force that the effect adds,
+/// divided by the variance of the force of the record. This is the force with the effect minus the force without it, at
+/// the fitted values of all other parameters. If the effect is one of the rubber, the mean of this difference is
+/// removed, because an offset would absorb it. The squared residual that per-log nuisance parameters of the effect
+/// absorb is added.
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted);
 
-/// Returns the noise floor of each held-out log, from the hypothesis with the least error on the logs of the fit: the
-/// floor belongs to the measurement, whichever effects are named.
+/// Returns the noise floor of each held-out log. It is estimated from the hypothesis with the least error on the logs
+/// of the fit, because noise belongs to the measurement and not to the named effects.
 std::vector<double> floorsOfUnseen(const PreparedCase& prepared, const Search& search);
 
-/// Returns the evidence of a search that has these floors, over the logs of the fit and then the held-out ones.
+/// Returns the evidence of a search whose noise floors are known. The logs of the fit are followed by the held-out
+/// logs.
 judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads);
 
-/// Returns the shares of the mean and of each octave of frequency in the energy of evenly spaced samples. The octaves
-/// begin at the lowest frequency of the transform (numerics::paddedSpectrum), so that they do not depend on the unit of
-/// time. Empty if the energy is 0 or not finite.
+/// Returns the fractions of the energy of evenly spaced samples in the mean and in each octave of frequency. The first
+/// octave begins at the lowest frequency of the transform (numerics::paddedSpectrum), so that the octaves do not depend
+/// on the unit of time. Returns an empty list if the energy is 0 or not finite.
 std::vector<double> octaveShares(const Eigen::VectorXd& values);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

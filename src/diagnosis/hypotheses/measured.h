@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// A measurement of one component, to which hypotheses are fitted.
+/// A measurement of one component to which hypotheses are fitted.
 class Measured {
  public:
   Measured() = default;
@@ -22,20 +22,21 @@ class Measured {
   /// Returns the fitter, whose model parameters are the numbers of the specification.
   virtual const fit::HypothesisFitter& fitter() const = 0;
 
-  /// Returns the records for the unit effects of terms (fit::findUnitEffects()).
+  /// Returns the records on which the forces of basis terms are simulated (fit::findUnitEffects()).
   virtual const std::vector<gap::PreparedRecord>& records() const = 0;
 
   virtual fit::Excitation excitation() const = 0;
 
-  /// Returns the candidates with their unit effects; those that such a measurement can never show have no terms.
+  /// Returns the candidates with the simulated forces of their terms. Candidates that such a measurement can never show
+  /// have no terms.
   virtual std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
                                                  const FittedHypothesis& re_estimated, int threads) const = 0;
 
-  /// Returns the error of a model that is due to the time steps of the simulation, as a gap.
+  /// Returns the error of a model that is due to the time steps of the simulation, expressed as a gap.
   virtual double discretisationError(const FittedHypothesis& model) const = 0;
 
-  /// Returns the noise, estimated from the residual of the best hypothesis so far; called again once a better one is
-  /// found. `search` has the re-estimated model and the previous estimate.
+  /// Estimates the noise from the residual of the best hypothesis so far. It is called again whenever a better
+  /// hypothesis is found. `search` contains the re-estimated model and the previous estimate.
   virtual Noise estimateNoise(const FittedHypothesis& best, const Search& search) const = 0;
 };
 

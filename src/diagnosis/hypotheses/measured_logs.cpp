@@ -1,4 +1,4 @@
-// Excitation, discretisation and noise of logs.
+// Computes the discretisation error and the noise of logs.
 #include "diagnosis/hypotheses/measured_logs.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// Least gap that a hypothesis leaves in the held-out blocks of all logs, apart from those with trends, which absorb
-// slow noise.
+// Returns the least gap of any hypothesis on the held-out blocks of all logs. Hypotheses with trends are ignored,
+// because trends absorb slow noise.
 double leastLeft(const Search& search) {
   double least = search.re_estimated.fit.held_out;
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -29,7 +29,7 @@ double leastLeft(const Search& search) {
   return least;
 }
 
-// Least gap that a hypothesis leaves in the held-out blocks of each log.
+// Returns the least gap of any hypothesis with effects on the held-out blocks of each log.
 std::vector<double> leastLeftOfLogs(const Search& search, std::size_t logs) {
   std::vector<double> least(logs, std::numeric_limits<double>::infinity());
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -65,7 +65,7 @@ std::vector<fit::Candidate> MeasuredLogs::candidates(const fit::Excitation& exci
   return all;
 }
 
-// RMS error of the model's force that the lag of dashpots causes, weighted as in the gap.
+// Returns the RMS difference between the force of the model and that of smooth dashpots, weighted as in the gap.
 double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
   const auto elements = withSmoothDashpots(*fit::elementsOf(fitter_.model(), model.hypothesis, model.fit.parameters));
   if (elements.empty()) {
@@ -82,10 +82,10 @@ double MeasuredLogs::discretisationError(const FittedHypothesis& model) const {
   return std::sqrt(sum / static_cast<double>(smooth.size()));
 }
 
-// Noise of each log: the larger of two values. One is the noise in the residual outside the band of the excitation, the
-// least of all models so far, because residuals also contain errors of the model. The other is the force that noise of
-// the displacement causes, at most the least gap of any model in this log. The floor of all logs is at most the least
-// gap of any model.
+// Estimates the noise of each log as the larger of two values. The first is the noise in the residual outside the band
+// of the excitation, for the model in which it is least, because residuals also contain errors of the model. The second
+// is the force that noise of the displacement causes, limited to the least gap of any model on this log. The noise
+// floor of all logs together is at most the least gap of any model.
 Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& search) const {
   const std::vector<gap::PreparedRecord>& records = fitter_.records();
   const auto forces = *fitter_.forces().at(best.hypothesis, best.fit.parameters);
@@ -100,7 +100,7 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
   noise.rest.resize(records.size(), std::numeric_limits<double>::infinity());
   fit::PerLogNuisances free = freeOfNoise(best.hypothesis);
   free.by_factor = best.hypothesis.free_in_log.by_factor;
-  std::vector<double> rig;  // gaps that errors of the rig cause beside the best model
+  std::vector<double> rig;  // gaps that errors of the rig cause, for the best model
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Eigen::VectorXd residual = records[r].force - forces[r];
     const double left = measurement::relativeFloor(free.addedTo(records[r], r, forces[r]), residual);
@@ -118,7 +118,7 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
   }
   noise.floor = commonFloor(noise.of_logs, records);
   const double too_much = noise.floor / leastLeft(search);
-  if (too_much > 1.0 && std::isfinite(too_much)) {  // no division by a gap of 0
+  if (too_much > 1.0 && std::isfinite(too_much)) {  // the ratio is infinite if the gap is 0
     for (double& of_log : noise.of_logs) {
       of_log /= too_much;
     }

@@ -1,4 +1,4 @@
-// Logs as a measurement for the search.
+// Logs as the data that the search fits.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,12 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Returns the elements with dashpots of order 2, which interpolate a smooth displacement; empty if there are no
-/// dashpots. Dashpots for a displacement that is linear between samples lag by half a step, which looks like a delay.
+/// Returns the elements with all dashpots changed to order 2, which interpolates the displacement smoothly. Returns an
+/// empty list if there is no dashpot. Other dashpots assume a displacement that is linear between samples, so that
+/// their force lags by half a time step, which looks like a delay.
 std::vector<element::ElementDescription> withSmoothDashpots(std::vector<element::ElementDescription> elements);
 
-/// Logs as a measurement. The fitter has to outlive it.
+/// Logs to which hypotheses are fitted. The fitter has to outlive this object.
 class MeasuredLogs final : public Measured {
  public:
   explicit MeasuredLogs(fit::Fitter& fitter) : fitter_(fitter) {}
@@ -30,8 +31,9 @@ class MeasuredLogs final : public Measured {
   fit::Fitter& fitter_;
 };
 
-/// Returns a search without fits, for a plan: candidates are implanted into logs simulated with the configured
-/// component. `noise`: white noise in the logs as a share of the force [-]. Must not be called while fits run.
+/// Returns a search without fits for a plan. Candidates are added to logs that are simulated with the configured
+/// component. `noise` is the standard deviation of white noise in the logs divided by that of the force. Must not be
+/// called during a fit.
 Search implanted(fit::Fitter& fitter, double noise, int threads);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -1,4 +1,4 @@
-// Weights of sets of effects over all logs.
+// Computes log weights of hypotheses from their error on all logs together.
 #include "diagnosis/hypotheses/odds.h"
 
 #include <algorithm>

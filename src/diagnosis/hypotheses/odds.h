@@ -1,4 +1,4 @@
-// Approximate odds of hypotheses from their error over all logs, for the search.
+// Approximate odds of hypotheses, which the search derives from their error on all logs together.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,12 +10,13 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Weights like those of the judgement (judge/score.h), but over all logs together, and with the error that members
-/// remove in place of the force that they add.
+/// Log weights like those of the judgement (judge/score.h), with two differences. The error is that of all logs
+/// together, and the form error is a share of the squared error that the effects remove, not of the force that they
+/// add.
 class Odds {
  public:
-  /// `floor`: noise floor of all logs; `without`: error of the model without effects; both in units of the force's
-  /// standard deviation. `blocks`: number of blocks of all logs.
+  /// `floor` is the noise floor of all logs, and `without` is the error of the model without effects. Both are divided
+  /// by the standard deviation of the force. `blocks` is the number of blocks of all logs.
   Odds(const std::vector<fit::Candidate>& candidates, double floor, double without, std::size_t blocks,
        std::size_t logs)
       : candidates_(candidates),
@@ -24,10 +25,11 @@ class Odds {
         blocks_(static_cast<double>(blocks)),
         logs_(static_cast<double>(logs)) {}
 
-  /// Returns the log weight of a hypothesis with these scales. `error`: fit::Fit::score() or a comparable gap.
+  /// Returns the log weight of a hypothesis with these scales. `error` is fit::Fit::score() or a comparable gap.
   double of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const;
 
-  /// Returns the log weight of a set of so many effects of usual rate that leaves only the noise floor.
+  /// Returns the log weight that a set of this number of effects would have if its error were the noise floor and its
+  /// effects had the usual rate.
   double mostOf(std::size_t effects) const;
 
  private:
@@ -40,7 +42,7 @@ class Odds {
   double logs_;
 };
 
-/// Returns the fitted numbers of the judgement that concern the expected error of a model.
+/// Returns the fitted numbers of the judgement that define the expected error of a model.
 measurement::ErrorScale errorScale();
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -1,4 +1,4 @@
-// Screening of hypotheses by normal equations.
+// Screens hypotheses by means of normal equations.
 #include "diagnosis/hypotheses/screening.h"
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// A typical effect is visible if re-estimation leaves at least these shares of its force and of the noise.
+// A candidate is testable if the part of its force that re-estimated parameters do not absorb is at least the first of
+// these shares of its force and, at its typical size, at least the second of these shares of the noise.
 constexpr double kVisibleShare = 0.05;
 constexpr double kVisibleSize = 0.2;
 
@@ -108,7 +109,7 @@ double Screening::leftBy(const std::vector<int>& members) const {
   return std::sqrt(std::max(0.0, fit::squaresLeft(gram, fit::solve(gram, part.bounds))));
 }
 
-// Limits the step to that of a fit, because the force is not linear in the model parameters beyond.
+// The change of the model parameters is limited to that of one step of a fit, because the force is not linear in them.
 fit::ParameterVector Screening::bestOf(const std::vector<int>& members) const {
   Part part = partOf(members);
   auto lower = part.bounds.lower.head(model_size_);
@@ -195,7 +196,8 @@ std::vector<Visibility> Screening::visibility(double noise) const {
   return result;
 }
 
-// Ranks all sets by their error in the logs of the fit, then the best of them by their error in held-out blocks.
+// Sorts all sets by their error on the blocks of the fit, and then sorts the best of them by their error on held-out
+// blocks.
 std::vector<Screened> Screening::screenAll(const std::vector<std::vector<int>>& sets) const {
   constexpr std::size_t kHeldOut = 16;
   std::vector<Screened> result(sets.size());

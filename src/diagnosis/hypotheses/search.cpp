@@ -1,4 +1,4 @@
-// The search over candidate effects.
+// Searches for the sets of effects that explain a measurement.
 #include "diagnosis/hypotheses/search.h"
 
 #include <algorithm>
@@ -26,27 +26,29 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kBaseIterations = 40;
-constexpr std::size_t kMostOfOneSize = 8;  // pairs and triples that are fitted
-constexpr std::size_t kMostStarts = 3;     // hypotheses that further effects are added to
-constexpr std::size_t kAtOnce = 4;         // sets that are fitted before the remaining ones are compared again
+// largest number of pairs, and of triples, that are fitted in one stage of the search
+constexpr std::size_t kMostOfOneSize = 8;
+constexpr std::size_t kMostStarts = 3;  // largest number of hypotheses to which further effects are added
+constexpr std::size_t kAtOnce = 4;      // number of sets that are fitted before the remaining ones are compared again
 constexpr std::size_t kMostEffects = 3;
-// Sets whose log odds are farther than this below those of the best set are neither fitted nor extended. Screened odds
-// may be wrong by the second number, because screening linearises the laws.
+// A set is neither fitted nor extended if its log odds are lower than those of the best set by more than kWithinReach.
+// For odds that are screened, kScreeningKnown is added, because screening linearises the laws.
 constexpr double kWithinReach = 4.6;
 constexpr double kScreeningKnown = 2.3;
-constexpr double kWorthAFit = 2.3;  // log odds: larger sets are fitted if they could be a tenth as likely as the best
-// A fit ends if the error that it promises exceeds that of the best set of its size, as screened, by this factor.
+constexpr double kWorthAFit = 2.3;  // larger sets are fitted if their log odds could be at most this far below the best
+// A fit is abandoned if the error that it promises is larger by this factor than the least screened error of sets of
+// its size.
 constexpr double kHopeless = 2.0;
 
-// A set of effects that may be worth a fit, and the start of this fit.
+// A set of effects that may be worth a fit, and the parameters from which this fit starts.
 struct Planned {
   fit::Hypothesis hypothesis;
-  double error = 0.0;  // as screened
+  double error = 0.0;  // screened error
   double odds = 0.0;
   fit::ParameterVector start;
 };
 
-// Sets that may be worth a fit, the likeliest first. Their odds assume that no set has an error below the floor.
+// Sets that may be worth a fit, sorted by their odds. The odds are computed as if no error were below `floor`.
 struct Plan {
   std::vector<Planned> sets;
   double floor;
@@ -61,16 +63,16 @@ Odds oddsAt(const Search& search, double floor) {
           search.noise.of_logs.size()};
 }
 
-// A hypothesis of a list, and its fit with another law.
+// A fitted hypothesis of a list, and its fit with another law.
 struct OtherLaw {
   FittedHypothesis* as_is;
-  int member = 0;  // whose law follows a curve in the other fit
+  int member = 0;  // effect whose law follows a curve in the other fit
   std::optional<FittedHypothesis> fitted = {};
 };
 
 class Searcher {
  public:
-  // Adds fits to `result`; excluded effects do not compete.
+  // Adds fits to `result`. Excluded effects do not compete with others.
   Searcher(const Measured& measured, const std::vector<std::string>& excluded, int threads,
            const ProgressCallback& progress, Search& result)
       : measured_(measured),
@@ -114,7 +116,7 @@ class Searcher {
     }
   }
 
-  // Re-estimates the model and summarises the excitation, at the same time.
+  // Re-estimates the model and, at the same time, summarises the excitation.
   void reEstimate() {
     const fit::Hypothesis model;
     const std::array<std::function<void()>, 2> tasks = {
@@ -130,7 +132,7 @@ class Searcher {
     fit::parallelFor(tasks.size(), threads_, [&](std::size_t i) { tasks[i](); });
   }
 
-  // Fits the most promising effects first, because their errors show which of the others are hopeless.
+  // Fits the most promising effects first, because their errors show for which other effects a fit is hopeless.
   void fitSingles(const Screening& screening) {
     std::vector<Screened> order;
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
@@ -141,7 +143,7 @@ class Searcher {
                      [](const Screened& x, const Screened& y) { return x.error < y.error; });
     const auto others = order.begin() + static_cast<std::ptrdiff_t>(std::min(kAtOnce, order.size()));
     fitSingles(screening, {order.begin(), others});
-    // Hypotheses that have to be simulated take longest and come first, so that no thread waits for them at the end.
+    // Laws that have to be simulated take longest. They are fitted first, so that no thread waits for them at the end.
     std::stable_partition(others, order.end(),
                           [&](const Screened& screened) { return !singleOf(screened).hypothesis.isAdditive(); });
     fitSingles(screening, {others, order.end()});
@@ -173,7 +175,7 @@ class Searcher {
 
   void estimateNoise() { result_.noise = measured_.estimateNoise(*bestOfAll(), result_); }
 
-  // Finds visibility and implants of the candidates, and the gap of a flexible fit.
+  // Computes the visibility of the candidates, how they would be judged if added, and the gap of a flexible fit.
   void measureVisibility(const Screening& screening) {
     result_.visibility = screening.visibility(result_.noise.floor);
     result_.implants = implantAll(fitter_, screening, threads_);
@@ -186,8 +188,8 @@ class Searcher {
     result_.surrogate_gap = screening.screen(all).error;
   }
 
-  // A law can fit as well as one that it contains, and a set as well as its parts. If a part has the smaller error, the
-  // fit is repeated from the parameters of the part.
+  // A law fits at least as well as one that it contains, and a set at least as well as its parts. If the fit of a part
+  // has the smaller error, the fit of the whole is repeated from the parameters of that part.
   void settle(std::vector<FittedHypothesis>& list) const {
     constexpr double kAsGood = 1.005;
     std::vector<std::optional<FittedHypothesis>> again(list.size());
@@ -209,13 +211,13 @@ class Searcher {
         better = true;
       }
     }
-    if (better) {  // sets that contain these may improve, too
+    if (better) {  // sets that contain the improved ones may improve as well
       settle(list);
     }
   }
 
-  // Continues fits that predict held-out blocks better than the blocks of the fit: their steps ended before the error
-  // that they promise was reached.
+  // Continues fits whose gap is larger than their gap on held-out blocks by more than chance explains. The iterations
+  // of these fits ended too early.
   void endFits() {
     std::vector<FittedHypothesis*> begun = {&result_.re_estimated};
     for (std::vector<FittedHypothesis>* list : {&result_.singles, &result_.pairs, &result_.triples}) {
@@ -239,7 +241,8 @@ class Searcher {
     tryFactors(list);
   }
 
-  // Fits laws of members along a curve. They replace hypotheses of the list that are less likely.
+  // Fits hypotheses in which the law of one effect follows a curve. Each replaces the hypothesis of the list without
+  // this curve if that is less likely.
   void tryCurve(std::vector<FittedHypothesis>& list) {
     std::vector<OtherLaw> straight;
     for (FittedHypothesis& fitted : list) {
@@ -263,7 +266,8 @@ class Searcher {
     takeLikelier(straight, list);
   }
 
-  // Fits friction with a factor in each log. The results replace hypotheses of the list that are less likely.
+  // Fits friction with a separate factor for each log. Each fit replaces the hypothesis of the list without factors if
+  // that is less likely.
   void tryFactors(std::vector<FittedHypothesis>& list) {
     std::vector<OtherLaw> with;
     for (FittedHypothesis& fitted : list) {
@@ -295,7 +299,7 @@ class Searcher {
     }
   }
 
-  // True if factors on friction could gain as much as they cost.
+  // Returns true if factors on friction could improve the odds by more than their cost.
   bool mayHaveFactors(const FittedHypothesis& fitted) const {
     const std::vector<int>& members = fitted.hypothesis.members;
     const bool friction = std::any_of(members.begin(), members.end(), [&](int member) {
@@ -308,7 +312,7 @@ class Searcher {
            odds().of(with, fitted.fit.parameters.scales, result_.noise.floor) > oddsOf(fitted);
   }
 
-  // True if a law along a curve could improve the fit by as much as it costs.
+  // Returns true if a law along a curve could improve the odds by more than its cost.
   bool mayFollowCurve(const FittedHypothesis& fitted, int member) const {
     const std::vector<int>& curved = fitted.hypothesis.curved;
     const fit::Candidate& candidate = result_.candidates[static_cast<std::size_t>(member)];
@@ -317,7 +321,7 @@ class Searcher {
            oddsWithCurve(fitted, result_.noise.floor) > oddsOf(fitted);
   }
 
-  // Odds of the same members with one more number and this error.
+  // Returns the log odds of the same effects with one more parameter and the error `left`.
   double oddsWithCurve(const FittedHypothesis& fitted, double left) const {
     fit::Hypothesis with = fitted.hypothesis;
     with.curved.push_back(0);
@@ -330,7 +334,8 @@ class Searcher {
     return fit::makeHypothesis(result_.candidates, hypothesis.members, hypothesis.held, curved);
   }
 
-  // Finds one curve for all laws that may follow one; returns false if it is not worth its cost in this hypothesis.
+  // Finds one curve for all laws that may follow a curve. Returns false if it improves this hypothesis by less than its
+  // cost.
   bool findCurve(const FittedHypothesis& about, int member) {
     if (hasCurve()) {
       return true;
@@ -355,13 +360,13 @@ class Searcher {
     return true;
   }
 
-  // True if any candidate has terms along a curve.
+  // Returns true if a curve has been found, so that candidates have terms along it.
   bool hasCurve() const {
     return std::any_of(result_.candidates.begin(), result_.candidates.end(),
                        [](const fit::Candidate& candidate) { return !candidate.curved.empty(); });
   }
 
-  // Fit with the least error among the sets that this one contains; nullptr if there is none.
+  // Returns the fit with the least error among the sets that this set contains, or null if none was fitted.
   const FittedHypothesis* leastHeldBy(const std::vector<int>& members) const {
     const FittedHypothesis* least = nullptr;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -372,16 +377,16 @@ class Searcher {
     return least;
   }
 
-  // Odds with the floor of the noise alone.
+  // Odds for the noise floor without the errors of the rig.
   Odds odds() const { return oddsAt(result_, result_.noise.floor); }
   double oddsOf(const FittedHypothesis& fitted) const { return oddsOf(fitted, result_.noise.floor); }
 
-  // Odds of a fit under the assumption that no set of effects has an error below a floor.
+  // Returns the log odds of a fit, computed as if no error were below `floor`.
   double oddsOf(const FittedHypothesis& fitted, double floor) const {
     return oddsAt(result_, floor).of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   }
 
-  // Best of the competing fits.
+  // Returns the competing fit with the least error.
   const FittedHypothesis* bestOfAll() const {
     const FittedHypothesis* best = &result_.re_estimated;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -398,13 +403,13 @@ class Searcher {
     return best;
   }
 
-  // True if a set of so many effects may be nearly as likely as the best of fewer.
+  // Returns true if a set of this number of effects could be nearly as likely as the best hypothesis so far.
   bool isWorthMore(std::size_t effects, double floor) const {
     return oddsAt(result_, floor).mostOf(effects) > bestOdds(floor) - kWorthAFit;
   }
 
-  // The likeliest hypotheses of one size, to which further effects are added: those within reach and one more, because
-  // an effect that is unlikely alone may be one of a pair.
+  // Returns the likeliest hypotheses with this number of effects, to which further effects are added. They are those
+  // within kWithinReach and one more, because an effect that is unlikely alone may be one of a likely pair.
   std::vector<const FittedHypothesis*> likeliest(std::size_t effects, double floor) const {
     std::vector<const FittedHypothesis*> chosen;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -423,17 +428,16 @@ class Searcher {
     return chosen;
   }
 
-  // Plans fits of sets of so many effects, the likeliest first: pairs are screened about the model, larger sets about
-  // the optimum of the sets with one effect less. Sets that are not worth a fit or were fitted before are omitted.
-  // Because an effect may explain what the best fit so far attributes to the rig, the floor is at most the least error
-  // of the sets.
+  // Plans the fits of sets with this number of effects. Pairs are screened about the model, and larger sets about the
+  // fits of sets with one effect less. Sets that are not worth a fit or have been fitted are omitted. The floor is at
+  // most the least screened error, because an effect may explain what the best fit attributes to the rig.
   Plan planFits(const Screening& about_model, std::size_t effects) const {
     Plan plan{{}, result_.noise.floor};
     if (!isWorthMore(effects, plan.floor)) {
       return plan;
     }
     plan.floor = result_.noise.floor_with_rig;
-    std::map<std::vector<int>, Planned> best;  // of each set, by members
+    std::map<std::vector<int>, Planned> best;  // planned fit of each set
     const auto add = [&](const Screening& screening, const std::vector<Screened>& sets) {
       for (const Screened& set : sets) {
         Planned& planned = best.try_emplace(set.members).first->second;
@@ -466,7 +470,8 @@ class Searcher {
     return plan;
   }
 
-  // Fits the planned sets that may be as likely as the best, a few at once; returns false if there are none.
+  // Fits the planned sets that could be as likely as the best one, several at a time. Returns false if no set was
+  // fitted.
   bool fitSets(const Screening& about_model, std::size_t effects, std::vector<FittedHypothesis>& list) {
     const auto [planned, floor] = planFits(about_model, effects);
     const std::size_t most = std::min(kMostOfOneSize, planned.size());
@@ -487,8 +492,8 @@ class Searcher {
     return fitted > 0;
   }
 
-  // Fits likely sets in which a law is replaced by those that it contains: these are easily overlooked, because the
-  // larger law has the smaller error.
+  // Fits likely sets in which a law is replaced by laws that it contains. Screening by error overlooks these sets,
+  // because the larger law has the smaller error.
   void fitContained(const Screening& about_model, std::size_t effects, double floor,
                     std::vector<FittedHypothesis>& list) {
     std::map<std::vector<int>, Planned> contained;
@@ -529,7 +534,7 @@ class Searcher {
     });
   }
 
-  // The best fit of a part of a set: a member, a pair within a triple, or a set with contained laws.
+  // Returns the best fit of a part of a set: a single effect, a pair within a triple, or a set with contained laws.
   const FittedHypothesis& bestFitted(const std::vector<int>& members) const {
     const FittedHypothesis* best = &result_.singles[static_cast<std::size_t>(members.front())];
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -540,7 +545,7 @@ class Searcher {
     return *best;
   }
 
-  // Fits the pairs within the best triple: without them the contribution of each of the three is unknown.
+  // Fits the pairs within the best triple, which show how much each of its three effects contributes.
   void fitPartsOfTriples() {
     if (result_.triples.empty()) {
       return;
@@ -559,8 +564,8 @@ class Searcher {
     fitAll(parts, result_.pairs);
   }
 
-  // Fits as if nothing were excluded, so that the probability of an excluded effect is fair, and the noise is that of
-  // the measurement.
+  // Continues the search as if no effect were excluded. This gives excluded effects the probability that they would
+  // have otherwise, and an estimate of the noise that does not depend on the exclusion.
   void fitOtherwise(const Screening& screening) {
     estimateNoise();
     tryOtherLaws(result_.singles);
@@ -571,7 +576,7 @@ class Searcher {
 
   bool competes(const FittedHypothesis& fitted) const { return result_.competes(fitted.hypothesis, excluded_); }
 
-  // Candidates of which sets are composed.
+  // Returns the candidates from which sets are formed.
   std::vector<int> competing() const {
     std::vector<int> competing;
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {
@@ -600,7 +605,7 @@ judge::HypothesisEvidence evidenceOf(const std::vector<fit::Candidate>& candidat
   evidence.keeps_values = fitted.hypothesis.keepsParameters();
   const bool applies = !fitted.hypothesis.terms.empty() || fitted.hypothesis.members.empty();
   evidence.chi_squared =
-      applies ? fitted.fit.chi_squared : std::numeric_limits<double>::infinity();  // nothing was fitted
+      applies ? fitted.fit.chi_squared : std::numeric_limits<double>::infinity();  // infinite if no term was fitted
   return evidence;
 }
 

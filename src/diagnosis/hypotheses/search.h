@@ -1,5 +1,5 @@
-// The search over candidate effects: all singles, and the likeliest pairs and triples until more effects are no
-// likelier.
+// The search over sets of effects: all single effects, then the likeliest pairs and triples, as long as a larger set
+// could be more likely.
 #pragma once
 
 #include <functional>
@@ -15,81 +15,86 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// A hypothesis fitted jointly with the model parameters.
+/// A hypothesis that is fitted together with the model parameters.
 struct FittedHypothesis {
   fit::Hypothesis hypothesis;
   fit::Fit fit;
 };
 
-/// Largest ratio of the gap in sample to that on held-out blocks that chance explains.
+/// Ratio of the gap on the data of the fit to the gap on held-out blocks, up to which chance explains a ratio above 1.
 constexpr double kBetterByChance = 1.02;
 
-/// Noise floors, in units of the force's standard deviation.
+/// Noise floors, divided by the standard deviation of the force.
 struct Noise {
-  double floor = 0.0;           ///< of all logs
-  double floor_with_rig = 0.0;  ///< the same with the errors of the rig, which no model explains
-  std::vector<double> of_logs;  ///< floor of each log of the fit
-  std::vector<double> unseen;   ///< floor of each log held out (floorsOfUnseen())
-  std::vector<double> rest;     ///< of each log, least noise in the residual of any model
-  std::vector<double> caused;   ///< of each log, error that noise of the displacement causes in the model
+  double floor = 0.0;           ///< noise floor of all logs together
+  double floor_with_rig = 0.0;  ///< the same noise floor with the errors of the rig, which no model explains
+  std::vector<double> of_logs;  ///< noise floor of each log of the fit
+  std::vector<double> unseen;   ///< noise floor of each held-out log (floorsOfUnseen())
+  std::vector<double> rest;     ///< for each log: least noise in the residual of any model
+  std::vector<double> caused;   ///< for each log: error of the simulated force due to noise of the displacement
   std::string source;
 };
 
 /// Visibility of a candidate in the logs.
 struct Visibility {
-  double share = 0.0;     ///< part of its force that re-estimation does not hide [-]
-  bool testable = false;  ///< a typical size of it would show in these logs
+  double share = 0.0;     ///< part of its force that re-estimated model parameters do not absorb [-]
+  bool testable = false;  ///< an effect of typical size would be visible in these logs
 };
 
-/// All hypotheses that were tried. Errors are root mean squares in units of the force's standard deviation.
+/// All hypotheses that were fitted. Errors are root mean squares divided by the standard deviation of the force.
 struct Search {
   fit::Excitation excitation;
   std::vector<fit::Candidate> candidates;
-  std::vector<std::string> excluded;  ///< effects that are ruled out, but fitted for their probability otherwise
-  bool guess = false;                 ///< the data sheet is a guess
-  double configured_gap = 0.0;        ///< as configured, without any fit
-  /// The model with its configured parameters. All else in its fit is that of the re-estimated model.
+  /// effects that are excluded; they are fitted to obtain the probability that they would have otherwise
+  std::vector<std::string> excluded;
+  bool guess = false;           ///< the data sheet is a guess
+  double configured_gap = 0.0;  ///< gap of the model as configured, without any fit
+  /// The model with its configured parameters. Everything else in its fit is copied from the re-estimated model.
   FittedHypothesis as_configured;
-  FittedHypothesis re_estimated;          ///< model parameters alone
-  std::vector<FittedHypothesis> singles;  ///< one per candidate, in their order
-  std::vector<FittedHypothesis> pairs;    ///< those that are worth a full fit by a screening of all, best first
+  FittedHypothesis re_estimated;          ///< the model with fitted parameters, without effects
+  std::vector<FittedHypothesis> singles;  ///< a hypothesis for each candidate, in the order of the candidates
+  /// the pairs that are worth a full fit according to the screening, sorted by error
+  std::vector<FittedHypothesis> pairs;
   std::vector<FittedHypothesis> triples;
-  double surrogate_gap = 0.0;   ///< held-out gap with all candidates at once, as of a flexible fit
-  double discretisation = 0.0;  ///< gap due to the lag of dashpots at the time steps of the logs
+  double surrogate_gap = 0.0;   ///< held-out gap with all candidates at once, as for a flexible fit
+  double discretisation = 0.0;  ///< gap that the lag of dashpots causes at the time steps of the logs
   Noise noise;
-  std::vector<Visibility> visibility;  ///< of each candidate
-  std::vector<Implant> implants;       ///< each candidate implanted into these logs; none into a table
+  std::vector<Visibility> visibility;  ///< visibility of each candidate
+  std::vector<Implant> implants;       ///< each candidate added to these logs (implantAll())
 
-  /// Returns a hypothesis by its index in the evidence.
+  /// Returns the hypothesis with this index in the evidence.
   const FittedHypothesis& at(int hypothesis) const;
 
-  /// Returns singles, pairs and triples, in the order of the evidence.
+  /// Returns the singles, pairs and triples in the order of the evidence.
   std::vector<const FittedHypothesis*> withEffects() const;
 
-  /// Returns true if a hypothesis competes with others (fit::Hypothesis::competes()) and has none of these effects.
+  /// Returns true if a hypothesis competes with others (fit::Hypothesis::competes()) and contains none of the effects
+  /// in `without`.
   bool competes(const fit::Hypothesis& hypothesis, const std::vector<std::string>& without) const;
 
-  /// Returns the likeliest hypothesis other than `one` by its error over all logs; it may be the model alone.
+  /// Returns the hypothesis other than `one` that is likeliest according to its error on all logs. It may be the model
+  /// without effects.
   const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
 };
 
-/// Returns the evidence of a search without logs, errors and sizes, which evidenceOfLogs() or the rows of a table add.
+/// Returns the evidence of a search without the logs and without the errors and sizes on each log, which
+/// evidenceOfLogs() or the diagnosis of a table adds.
 judge::Evidence evidenceOf(const Search& search);
 
-/// Returns evidence without hypotheses and without exclusions.
+/// Returns evidence that describes the candidates only, without hypotheses and exclusions.
 judge::Evidence evidenceOfNone(const Search& search);
 
-/// Called with the stage's name and the fraction done.
+/// Called with the name of the stage and the fraction of the search that is done.
 using ProgressCallback = std::function<void(const std::string&, double)>;
 
 class Measured;
 
-/// Returns the effects that the component or the options rule out. Throws std::invalid_argument if the options name an
-/// unknown effect.
+/// Returns the effects that the component file or the options exclude. Throws std::invalid_argument if the options name
+/// an unknown effect.
 std::vector<std::string> excludedEffects(const io::ComponentDescription& component, const DiagnosisOptions& options);
 
-/// Fits hypotheses to a measurement on `threads` threads. If effects are excluded, the search first fits the others and
-/// then continues as if nothing were excluded.
+/// Fits hypotheses to a measurement on `threads` threads. If effects are excluded, the search first fits the hypotheses
+/// without them, and then continues as if nothing were excluded.
 Search search(const Measured& measured, const std::vector<std::string>& excluded, int threads,
               const ProgressCallback& progress = {});
 

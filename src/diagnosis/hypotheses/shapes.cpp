@@ -1,4 +1,4 @@
-// Shape parameters such as clearances, by a grid that is refined about the best value.
+// Finds parameters such as clearances on a grid that is refined about the best value.
 #include "diagnosis/hypotheses/shapes.h"
 
 #include <algorithm>
@@ -13,18 +13,19 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-constexpr int kGrid = 5;         // values, even on a log axis
-constexpr int kRefinements = 2;  // each halves the distance of the values
+constexpr int kGrid = 5;         // number of values, evenly spaced on a logarithmic axis
+constexpr int kRefinements = 2;  // number of refinements, each of which halves the distance between values
 
-// State of the search for the shape of one candidate.
+// State of the search for the parameter of one candidate.
 struct Shape {
   fit::Candidate* candidate;
   double best = 0.0;
-  double least = HUGE_VAL;  // residual at the best value
-  double step = 0.0;        // factor to the values that are tried next
+  double least = HUGE_VAL;  // residual at `best`
+  double step = 0.0;        // ratio of the next values to `best`
 };
 
-// Tries several values together, because they share the columns of the model and of the contained effects.
+// Computes the errors at several values together, because the derivatives for the model and for contained effects are
+// the same for all values.
 void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::HypothesisFitter& fitter,
             const FittedHypothesis& re_estimated, const std::vector<gap::PreparedRecord>& records,
             const std::vector<fit::Candidate>& contained, int threads) {
@@ -46,13 +47,13 @@ void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::Hypo
   }
 }
 
-// The first, the last and one between.
+// Returns the first, the middle and the last term.
 std::vector<fit::BasisTerm> threeOf(const std::vector<fit::BasisTerm>& terms) {
   return element::each(std::set<std::size_t>{0, terms.size() / 2, terms.size() - 1},
                        [&](std::size_t place) { return terms[place]; });
 }
 
-// A fitted hypothesis without the terms of a member's own law.
+// Returns a fitted hypothesis without the terms that belong to the law of one effect alone.
 FittedHypothesis without(const FittedHypothesis& fitted, int member) {
   FittedHypothesis rest{fitted.hypothesis, fitted.fit};
   rest.hypothesis.terms.clear();
@@ -67,7 +68,7 @@ FittedHypothesis without(const FittedHypothesis& fitted, int member) {
   return rest;
 }
 
-// Error with each of some laws in addition to a hypothesis.
+// Returns the error of a hypothesis with each of these laws added.
 std::vector<double> leftByLaws(const fit::HypothesisFitter& fitter, const FittedHypothesis& rest,
                                const std::vector<fit::Candidate>& laws, int threads) {
   auto [all, fit] = rest;
@@ -150,7 +151,8 @@ CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis&
   std::vector<fit::Curve> curves = {{1.0, 0.0}, {2.5, 0.0}, {6.0, 0.0}, {3.0, 1.0}, {3.0, -1.0}};
   CurveLook best;
   best.left = HUGE_VAL;
-  double step = 1.6;  // factor on the growth for the curves tried next: half the spacing on a log axis
+  // ratio of the growth of the next curves to that of the best one, half the spacing on a logarithmic axis
+  double step = 1.6;
   for (int refinement = 0; refinement <= kRefinements; ++refinement) {
     const std::vector<double> left = leftAlong(curves);
     const auto least = std::min_element(left.begin() + 1, left.end());

@@ -1,4 +1,4 @@
-// Starts of the fits of effects.
+// Chooses the parameters from which the fits of effects start.
 #include "diagnosis/hypotheses/starts.h"
 
 #include <algorithm>
@@ -11,16 +11,16 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kLeastIterations = 6;
-constexpr int kToldIterations = 20;  // from starts that the logs suggest, far from the configured values
+constexpr int kToldIterations = 20;  // for starts that the logs suggest, which are far from the configured values
 constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
 constexpr int kZeroIterations = 2;
-constexpr double kClearlyBetter = 0.99;  // ratio of two scores
-// Change of the logarithm of a model parameter beyond which a second fit starts from the configured values.
+constexpr double kClearlyBetter = 0.99;  // largest ratio of the scores of a clearly better fit and the other one
+// Change of the logarithm of a model parameter above which a fit also starts from the configured values.
 constexpr double kFar = 0.2;
 
-// Returns how many of the longest steps lead from the specified value of a parameter to its bound, or the least number
-// of iterations if that is larger.
+// Returns the number of iterations in which a parameter can move from its specified value to its bound, or
+// kLeastIterations if that is larger.
 int singleIterations(const fit::HypothesisFitter& fitter) {
   const double farthest = std::log(fitter.model().largestRatio());
   return std::max(kLeastIterations, static_cast<int>(std::ceil(farthest / fit::kLongestStep)));
@@ -32,7 +32,7 @@ void keepBetter(FittedHypothesis fitted, FittedHypothesis& best) {
   }
 }
 
-// Replaces the offsets of single logs by a common one, unless they fit clearly better.
+// Replaces the offsets of single logs by a common offset, unless separate offsets fit clearly better.
 void keepOneOffset(const fit::HypothesisFitter& fitter, const fit::FitLimits& limits, FittedHypothesis& fitted) {
   if (!fitted.hypothesis.free_in_log.offset || fitted.fit.gap > limits.reach) {
     return;
@@ -45,8 +45,8 @@ void keepOneOffset(const fit::HypothesisFitter& fitter, const fit::FitLimits& li
   }
 }
 
-// Fits from a start. Offsets of the displacement are freed if the force at the start depends on them; if only the force
-// after the fit does, a second fit frees them.
+// Fits a hypothesis from a start. Offsets of the displacement are free if the force at the start depends on them. If
+// only the force after the fit depends on them, they are freed for a second fit.
 void fitFrom(const fit::HypothesisFitter& fitter, const fit::Hypothesis& hypothesis, const fit::ParameterVector& start,
              const fit::FitLimits& limits, FittedHypothesis& best) {
   FittedHypothesis fitted{hypothesis, {}};
@@ -64,14 +64,14 @@ void fitFrom(const fit::HypothesisFitter& fitter, const fit::Hypothesis& hypothe
   keepBetter(std::move(fitted), best);
 }
 
-// Index of a term of one hypothesis among those of another one, if it has the term.
+// Returns the index in another hypothesis of a term, if that hypothesis contains the term.
 std::optional<Eigen::Index> placeIn(const fit::Hypothesis& other, const fit::TermPlace& term) {
   const auto found = std::find(other.places.begin(), other.places.end(), term);
   return found == other.places.end() ? std::nullopt : std::optional(found - other.places.begin());
 }
 
-// True for terms that are new, additive or not 0. All other terms stay at 0, because a fit would have to simulate
-// their force.
+// For each term, returns true if a fit may change it: the term is new, additive or not 0. All other terms remain at 0,
+// because a fit would have to simulate their force.
 std::vector<bool> mayMove(const FittedHypothesis& from, const fit::Hypothesis& hypothesis,
                           const fit::ParameterVector& start) {
   std::vector<bool> active;
@@ -82,7 +82,8 @@ std::vector<bool> mayMove(const FittedHypothesis& from, const fit::Hypothesis& h
   return active;
 }
 
-// Start with the model parameters of another fit, and with the scales of the terms that both have.
+// Returns a start that has the model parameters of another fit and the scales of the terms that both hypotheses
+// contain.
 fit::ParameterVector taken(const fit::HypothesisFitter& fitter, const FittedHypothesis& from,
                            const fit::Hypothesis& hypothesis) {
   fit::ParameterVector start = fitter.configured(hypothesis);
@@ -155,7 +156,7 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
   const fit::ParameterVector as_fitted = taken(fitter, from, hypothesis);
   const bool promising = fitter.gapAt(hypothesis, start) < from.fit.gap;
   const fit::ParameterVector& first = promising ? start : as_fitted;
-  // Model parameters and the gains of logs can replace each other, so that a fit needs many steps.
+  // Model parameters and the gains of logs can compensate each other, so that a fit needs many steps.
   const int iterations = hypothesis.free_in_log.gain ? singleIterations(fitter) : kFurtherIterations;
   fitFrom(fitter, hypothesis, first, {iterations, reach, mayMove(from, hypothesis, first)}, further);
   if (further.fit.gap <= reach && from.fit.parameters.largestChange() > kFar && hypothesis.isAdditive()) {
@@ -179,7 +180,7 @@ FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHy
   fitter.freeFactors(from.fit.parameters, with.hypothesis);
   const bool promising = fitter.gapAt(with.hypothesis, from.fit.parameters) <= reach;
   with.fit = promising ? fitter.fit(with.hypothesis, from.fit.parameters, {kFurtherIterations, reach}) : from.fit;
-  if (promising) {  // once more, with factors on the friction that this fit found
+  if (promising) {  // fits again, with factors on the friction that this fit found
     fitter.freeFactors(with.fit.parameters, with.hypothesis);
     with.fit = fitter.fit(with.hypothesis, with.fit.parameters, {kZeroIterations, reach});
   }

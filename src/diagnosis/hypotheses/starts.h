@@ -1,4 +1,4 @@
-// Fits of effects from several starts; each keeps the best result.
+// Fits of effects that start from several parameters and keep the best result.
 #pragma once
 
 #include <vector>
@@ -8,29 +8,32 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Fits a single effect from `start`, where the normal equations predict its least error, and from the starts of its
-/// terms. If the model parameters moved far or the effect is not additive, fits it also from the configured values.
-/// Fits with errors above `reach`, in units of the force's standard deviation, are abandoned.
+/// Fits a single effect. The fit starts from `start`, for which the normal equations predict the least error, and from
+/// the starting scales of its terms. If the effect is not additive or the re-estimated model parameters are far from
+/// the configured ones, it also starts from the configured values. A fit is abandoned if its error exceeds `reach`,
+/// which is divided by the standard deviation of the force.
 void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
                const fit::ParameterVector& start, double reach, FittedHypothesis& single);
 
-/// Fits one gain of all logs beside the configured values. If gains may differ between logs, also fits a gain of each
-/// log beside free values, which has to be clearly better than the common gain and than other values alone.
+/// Fits one gain of all logs together with the configured values. If gains may differ between logs, also fits a gain
+/// for each log together with free values. The latter replaces the common gain only if it is clearly better than the
+/// common gain and than re-estimated values without gains.
 void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
               FittedHypothesis& single);
 
-/// Fits several effects from `start`, where the normal equations predict the least error, or else from the fit `from`
-/// of some of them.
+/// Fits several effects from `start`, for which the normal equations predict the least error. If the error there is not
+/// less than that of `from`, a fit of some of the effects, starts from the parameters of `from`.
 void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, const fit::ParameterVector& start,
                 double reach, FittedHypothesis& further);
 
-/// Fits a hypothesis from the fit of one whose terms are among its own, so that its error in sample is not larger.
+/// Fits a hypothesis from a fit whose terms it contains, so that its error on the data of the fit is not larger.
 void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, FittedHypothesis& larger);
 
-/// Returns a fitted hypothesis with a factor on the friction of each log, not refitted if its gap exceeds `reach`.
+/// Returns a fitted hypothesis with a factor on the friction of each log. It is not refitted if its gap exceeds
+/// `reach`.
 FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach);
 
-/// Fits the members of a fitted hypothesis with one of them along a curve.
+/// Fits a hypothesis in which the law of one effect follows a curve. The fit starts from the parameters of `from`.
 void fitCurved(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach,
                FittedHypothesis& curved);
 

@@ -1,4 +1,4 @@
-// Errors on unseen logs.
+// Computes errors on logs that took no part in a fit.
 #include "diagnosis/hypotheses/unseen_logs.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
     hypothesis.free_in_log.by_factor = frictionOfEach(elements, records);
   }
   UnseenErrors errors = partErrorsOf(hypothesis, records, predicted);
-  for (gap::PartError& part : errors) {  // a law without a finite force under some motion explains none of it
+  for (gap::PartError& part : errors) {  // a force that is not finite explains no part of the log
     part.error = std::isfinite(part.error) ? part.error : std::numeric_limits<double>::infinity();
   }
   return errors;

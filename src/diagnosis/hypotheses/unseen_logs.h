@@ -13,46 +13,48 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Errors of a prediction on parts of logs that took no part in the fit.
+/// Errors of predictions on parts of logs that took no part in the fit.
 using UnseenErrors = std::vector<gap::PartError>;
 
-/// Returns the force of a fitted hypothesis over records, each of a new component [N]. The displacement is smoothed as
-/// for the fits, because the noise of its sensor is an error of the rig.
+/// Returns the force of a fitted hypothesis on records, each of which is of a new component [N]. The displacement is
+/// smoothed as in the fits, because the noise of its sensor is an error of the rig.
 gap::Forces predict(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                     const std::vector<gap::PreparedRecord>& records);
 
-/// Returns the errors of a fitted hypothesis on records, each of a new component.
+/// Returns the errors of a fitted hypothesis on records, each of which is of a new component.
 UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothesis& fitted,
                           const std::vector<gap::PreparedRecord>& records);
 
-/// Returns the errors of forces that elements predict, without the part that the per-log unknowns of a hypothesis, such
-/// as an offset, explain.
+/// Returns the errors of forces that elements predict. What the per-log nuisance parameters of a hypothesis explain,
+/// such as an offset, does not count as an error.
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
                           const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records);
 
-/// Returns the friction of a component on records, each of a new component (fit::frictionOf()).
+/// Returns the force of the friction of a component on records, each of which is of a new component
+/// (fit::frictionOf()).
 fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
                                 const std::vector<gap::PreparedRecord>& records);
 
-/// Returns the errors of tenths of each record (gap::partErrors()) under a hypothesis. Per-log unknowns, which no
-/// simulation predicts, are removed as the other tenths of the log determine them.
+/// Returns the errors of a hypothesis on tenths of each record (gap::partErrors()). The values of per-log nuisance
+/// parameters, which no simulation predicts, are fitted to the other tenths of the log.
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis,
                                          const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated);
 
-/// Returns the mean error of each log, or the value of `otherwise` if no part of the log has any weight.
+/// Returns the mean error of each log. For a log without any part of positive weight, returns the value in `otherwise`.
 std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::vector<double> otherwise);
 
-/// Returns the per-log unknowns that are removed before a noise floor is estimated: offsets and gains, which are no
-/// noise. Trends are not removed, because they would absorb slow noise.
+/// Returns the per-log nuisance parameters that are removed before a noise floor is estimated. These are offsets and
+/// gains, which are not noise, but not trends, which would absorb slow noise.
 fit::PerLogNuisances freeOfNoise(const fit::Hypothesis& hypothesis);
 
-/// Returns the noise floor of each record: the noise in the residual of a component after removal of `free`, up to a
-/// limit, or the error that noise of the displacement causes in its friction, if that is larger.
+/// Returns the noise floor of each record. This is the noise in the residual of a component after removal of `free`, up
+/// to a limit. If noise of the displacement causes a larger error in the friction of the component, the floor is this
+/// error, up to the residual itself.
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements,
                                 const fit::PerLogNuisances& free, const gap::Forces& simulated,
                                 const std::vector<gap::PreparedRecord>& records, const measurement::NoiseLimit& limit);
 
-/// Returns the floor of several records together: the weighted root mean square.
+/// Returns the noise floor of several records together, the weighted root mean square of their floors.
 double commonFloor(const std::vector<double>& floors, const std::vector<gap::PreparedRecord>& records);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

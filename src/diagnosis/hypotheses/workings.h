@@ -1,4 +1,4 @@
-// The workings of a diagnosis: the prepared logs, the models to be fitted, the search and the judgement.
+// What a diagnosis works with: the prepared logs, the models to be fitted, the search and the judgement.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,7 +33,7 @@ struct PreparedCase {
 
   io::ComponentDescription component;
   std::shared_ptr<const std::vector<gap::PreparedRecord>> records;  ///< logs of the fit
-  const std::vector<gap::PreparedRecord>& training;                 ///< *records
+  const std::vector<gap::PreparedRecord>& training;                 ///< refers to *records
   std::vector<gap::PreparedRecord> held_out;
   fit::ModelParameters model;
   fit::Fitter fitter;
@@ -43,20 +43,20 @@ struct PreparedCase {
 
 namespace rubber_suspension::diagnosis {
 
-/// The logs with the forces that the component has on them [N].
+/// The logs, and the forces of three components on them [N].
 struct Simulated {
-  std::vector<gap::PreparedRecord> records;  ///< of the logs, then of the hold-outs
+  std::vector<gap::PreparedRecord> records;  ///< the logs of the fit, followed by the held-out logs
   std::size_t training = 0;                  ///< number of records that took part in the fit
-  gap::Forces configured;                    ///< per record
+  gap::Forces configured;                    ///< a force for each record, here and below
   gap::Forces re_estimated;
   gap::Forces augmented;
 };
 
-/// Data for figures and lists of the report besides the result. A public header declares this type.
+/// Data for figures and lists of the report in addition to the result. A public header declares this type.
 struct Workings {
   hypotheses::Search search;
   judge::Evidence evidence;
-  judge::ScoreTable table;  ///< of the evidence
+  judge::ScoreTable table;  ///< derived from `evidence`
   judge::Answer answer;
   bool write_evidence = false;  ///< the report includes the evidence
   Simulated simulated;          ///< empty for a table
@@ -67,7 +67,7 @@ struct Workings {
     judgeAgain();
   }
 
-  /// Finds the answer to the evidence.
+  /// Derives the table and the answer from the evidence.
   void judgeAgain() {
     table = judge::scoreTable(evidence);
     answer = judge::answer(table);
