@@ -90,8 +90,8 @@ double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd
   return std::sqrt((values - values.mean()).square().sum() / (kParts * (kParts - 1.0)));
 }
 
-// Returns the fractions of the squared residual of a log in each octave. Trends, gains and factors that are free in the
-// log are removed first.
+// Returns the fractions of the squared residual of a log in each octave. Trends, offsets, gains and factors that are
+// free in the log are removed from the residual first.
 std::vector<double> sharesOfLeft(const fit::Hypothesis& hypothesis, const gap::PreparedRecord& record,
                                  std::size_t place, const Eigen::VectorXd& simulated) {
   fit::PerLogNuisances free = hypothesis.free_in_log;

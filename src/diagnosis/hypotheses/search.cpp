@@ -35,7 +35,8 @@ constexpr std::size_t kMostEffects = 3;
 // For odds that are screened, kScreeningKnown is added, because screening linearises the laws.
 constexpr double kWithinReach = 4.6;
 constexpr double kScreeningKnown = 2.3;
-constexpr double kWorthAFit = 2.3;  // larger sets are fitted if their log odds could be at most this far below the best
+// log odds; larger sets are fitted only if they could be at least a tenth as likely as the best one
+constexpr double kWorthAFit = 2.3;
 // A fit is abandoned if the error that it promises is larger by this factor than the least screened error of sets of
 // its size.
 constexpr double kHopeless = 2.0;

@@ -13,7 +13,7 @@ void addAsymmetricStiffness(const fit::Excitation& excitation, fit::Candidate& c
   for (fit::BasisTerm& term : candidate.terms) {
     term.lower = -term.upper;
   }
-  // Laws that stiffen steeply on one side, without a knee.
+  // Laws that stiffen steeply on one side, but without a kink.
   for (const double share : {0.3, -0.3, 0.15, -0.15}) {
     const double scale = share * excitation.largest_displacement;
     candidate.terms.push_back(fit::additiveTerm("asymmetric_stiffness", "exponential",

@@ -1,11 +1,11 @@
-// Candidate effect: friction or a damper behind a clearance, without force for some travel after each reversal.
+// Candidate effect: friction or a damper behind a clearance, which has no force for some travel after each reversal.
 #include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Laws behind one clearance: friction, a linear damper, dampers that blow off or have a fluid that thins, and one with
-// an orifice.
+// Returns the laws behind a clearance of width `gap`: friction, a linear damper, dampers with a relief valve or a
+// shear-thinning fluid, and one with an orifice.
 std::vector<fit::BasisTerm> clearanceTerms(const fit::Excitation& excitation, double gap) {
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;
@@ -30,7 +30,7 @@ std::vector<fit::BasisTerm> clearanceTerms(const fit::Excitation& excitation, do
 }
 
 void addBacklash(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  constexpr double kLeastGap = 0.01;  // of the largest displacement
+  constexpr double kLeastGap = 0.01;  // divided by the largest displacement
   constexpr double kLargestGap = 0.5;
   candidate.is_friction = excitation.whole_logs > 1;
   candidate.least_shape = kLeastGap * excitation.largest_displacement;

@@ -1,4 +1,3 @@
-// Branches of relaxation.
 #include "diagnosis/hypotheses/candidate/branches.h"
 
 #include <algorithm>

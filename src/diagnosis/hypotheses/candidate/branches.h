@@ -1,4 +1,4 @@
-// Branches of relaxation, with or without a curve, and the limit between relaxation and creep.
+// Maxwell branches, and the relaxation time that separates relaxation from creep.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,15 @@
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 
-/// Returns the relaxation time [s] beyond which relaxation is creep: thirty cycles of the fastest log (5 s at 6 Hz) or,
-/// if that is shorter, a tenth of the longest log, so that a decade of creep is visible; at least the duration of the
-/// slowest loop. Relaxation that is slower than the motion is visible under a hold, but not in the loops.
+/// Returns the relaxation time [s] above which relaxation is called creep. This is thirty cycles of the fastest log (5
+/// s at 6 Hz) or, if that is shorter, a tenth of the longest log, so that a decade of creep is visible. It is at least
+/// the duration of the slowest loop. Relaxation that is slower than the motion is visible while the displacement is
+/// held, but not in the loops.
 double longestRelaxationTime(const fit::Excitation& excitation);
 
-/// Adds a branch of typical stiffness [N/m] for each of these break frequencies [Hz]. All branches follow the same
-/// curve, if any: separate curves would also represent a nonlinear spring beside linear branches.
+/// Adds a Maxwell branch of typical stiffness [N/m] for each of these break frequencies [Hz]. If the branches follow a
+/// curve, all follow the same one, because separate curves would also represent a nonlinear spring beside linear
+/// branches.
 void addBranches(const std::vector<double>& frequencies, double typical, const fit::Excitation& excitation,
                  fit::Candidate& candidate);
 

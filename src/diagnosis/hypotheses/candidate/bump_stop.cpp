@@ -1,4 +1,4 @@
-// Candidate effect: a stop that is reached beyond a gap.
+// Candidate effect: a stop that is in contact only beyond a gap.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -9,7 +9,8 @@ namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 void addBumpStop(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  candidate.terms_of_one = 4;  // two adjacent gaps on each side, for one between them; more make a smooth curve
+  // A gap between two of the terms needs both of them on each side. More than these terms represent a smooth curve.
+  candidate.terms_of_one = 4;
   for (const double side : {0.0, 1.0, -1.0}) {
     for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
       const element::ParameterValues place = {{"gap", {share * excitation.largest_displacement}}, {"side", {side}}};
@@ -21,7 +22,7 @@ void addBumpStop(const fit::Excitation& excitation, fit::Candidate& candidate) {
   }
 }
 
-// Displacement at which the force of each side begins, and its slope once all stops of that side are in contact.
+// Returns, for each side, the displacement at which the force begins, and the slope once all its stops are in contact.
 std::vector<HeadlineValue> bySide(const Effect::Entries& stops) {
   std::vector<HeadlineValue> result;
   for (const auto& [side, suffix] :

@@ -9,11 +9,12 @@ namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 void addCreep(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  // The law of creep, which begins within the time of relaxation, and departures from it.
+  // The law of creep begins within the relaxation times of the effect relaxation; the branches represent departures
+  // from it.
   const double longest = longestRelaxationTime(excitation);
-  constexpr double kBegins = 0.2;      // of the longest time of relaxation
-  constexpr double kBeyondLog = 10.0;  // of the longest log: logs do not determine a later end
-  constexpr double kShortest = 1.2;    // of the longest time of relaxation
+  constexpr double kBegins = 0.2;      // divided by the longest relaxation time
+  constexpr double kBeyondLog = 10.0;  // divided by the duration of the longest log; logs do not determine a later end
+  constexpr double kShortest = 1.2;    // divided by the longest relaxation time
   candidate.terms.push_back(
       fit::additiveTerm("creep", "stiffness_per_decade", 0.05 * excitation.stiffness,
                         {{"shortest_time", {kBegins * longest}},

@@ -1,4 +1,4 @@
-// Candidate effect: a column of fluid that resonates, as in a hydraulic mount.
+// Candidate effect: a resonating column of fluid, as in a hydraulic mount.
 #include <cmath>
 
 #include "diagnosis/effect.h"
@@ -7,15 +7,15 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Resonance [rad/s] and damping of a track.
+// An inertia track with its resonance [rad/s].
 struct Track {
   double resonance;
-  double damping;            // as a share of the critical one
-  double free_travel = 0.0;  // of a decoupler [m]
-  double turbulence = 0.0;   // quadratic damping over the mass [1/m]
+  double damping;            // divided by the critical damping
+  double free_travel = 0.0;  // free travel of a decoupler [m]
+  double turbulence = 0.0;   // coefficient of the quadratic damping divided by the mass [1/m]
 };
 
-// A track, whose scale is the stiffness of its chamber.
+// Returns the term of a track. Its scale is the stiffness of the fluid chamber.
 fit::BasisTerm trackTerm(double typical, const Track& track) {
   fit::BasisTerm term;
   term.typical = typical;
@@ -38,17 +38,18 @@ fit::BasisTerm trackTerm(double typical, const Track& track) {
 
 double typicalStiffness(const fit::Excitation& excitation) { return 0.2 * excitation.stiffness; }
 
-// A track with a quadratic loss that equals a share of the critical damping when the fluid moves as far as the rubber.
+// Returns the term of a track whose quadratic loss equals a fraction `share` of the critical damping when the fluid
+// moves as far as the rubber.
 fit::BasisTerm turbulentTerm(const fit::Excitation& excitation, double resonance, double share) {
   constexpr double kLaminar = 0.05;
   return trackTerm(typicalStiffness(excitation),
                    {resonance, kLaminar, 0.0, 2.0 * share / excitation.largest_displacement});
 }
 
-// Tracks about one frequency [Hz]. Together they represent any damping, and resonances that lie between theirs or
-// depend on the amplitude.
+// Returns tracks with resonances about one frequency [Hz]. Together they represent any damping, and resonances that lie
+// between theirs or depend on the amplitude.
 std::vector<fit::BasisTerm> tracksAt(const fit::Excitation& excitation, double frequency) {
-  constexpr double kBeside = 1.18;  // ratio of adjacent resonances
+  constexpr double kBeside = 1.18;  // ratio of adjacent resonance frequencies
   constexpr double kDecoupled = 0.25;
   constexpr double kTurbulent = 0.2;
   const double typical = typicalStiffness(excitation);
@@ -66,9 +67,10 @@ std::vector<fit::BasisTerm> tracksAt(const fit::Excitation& excitation, double f
   return terms;
 }
 
-// Starts for one track with a mostly quadratic loss, from which a fit of its numbers reaches any other.
+// Returns tracks with a mostly quadratic loss, from which a fit of the parameters of one track may start.
 std::vector<fit::BasisTerm> turbulentLaws(const fit::Excitation& excitation, double least, double largest) {
-  constexpr int kFrequencies = 7;  // a third apart: nearer than the width of the resonance
+  // adjacent frequencies differ by a factor of 1.4, less than the width of the resonance
+  constexpr int kFrequencies = 7;
   std::vector<fit::BasisTerm> laws;
   for (int i = 0; i < kFrequencies; ++i) {
     const double frequency = least * std::pow(largest / least, (i + 0.5) / kFrequencies);
@@ -79,9 +81,10 @@ std::vector<fit::BasisTerm> turbulentLaws(const fit::Excitation& excitation, dou
   return laws;
 }
 
-// Far below its resonance a column is a mass and a damper, far above it a spring: these are effects of their own.
+// The resonance is near the frequencies of the motion. Far below it, the fluid acts as a mass and a damper, and far
+// above it, as a spring. These are effects of their own.
 void addFluidInertia(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  constexpr double kLeast = 0.15;  // of the highest frequency of the motion
+  constexpr double kLeast = 0.15;  // divided by the highest frequency of the motion
   constexpr double kLargest = 1.5;
   candidate.least_shape = kLeast * excitation.highest_frequency;
   candidate.largest_shape = kLargest * excitation.highest_frequency;
@@ -90,8 +93,8 @@ void addFluidInertia(const fit::Excitation& excitation, fit::Candidate& candidat
   candidate.laws = turbulentLaws(excitation, candidate.least_shape, candidate.largest_shape);
 }
 
-// A resonance of the fixture has the transfer function of a column of fluid; only the component file distinguishes
-// them.
+// Returns the other cause that a report has to mention. A resonance of the fixture has the same transfer function as a
+// column of fluid, so that only the component file can exclude it.
 std::string fluidOrFixture(const io::ComponentDescription& configured) {
   return configured.holds_fluid ? "" : "a fluid track, or a mass on a spring such as the fixture";
 }

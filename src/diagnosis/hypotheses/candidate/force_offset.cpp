@@ -4,7 +4,7 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Each log may have its own offset: amplifiers are zeroed between logs, and pressures change.
+// Each log may have its own offset, because amplifiers are zeroed between logs and pressures change.
 void addForceOffset(const fit::Excitation& excitation, fit::Candidate& candidate) {
   fit::BasisTerm term = fit::additiveTerm("force_offset", "offset", 0.02 * excitation.force);
   term.lower = -term.upper;

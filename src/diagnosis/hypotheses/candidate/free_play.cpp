@@ -1,4 +1,4 @@
-// Candidate effect: a dead zone about zero.
+// Candidate effect: a dead zone about zero displacement.
 #include <numeric>
 
 #include "diagnosis/effect.h"
@@ -6,7 +6,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Dead zones in series, each of which removes a share of the motion within it: together they have sharp or soft edges.
+// Adds dead zones in series. Each removes a share of the motion within its gap, so that together they represent sharp
+// and soft edges.
 void addFreePlay(const fit::Excitation& excitation, fit::Candidate& candidate) {
   for (const double size : {0.01, 0.025, 0.06, 0.12, 0.22, 0.4}) {
     fit::BasisTerm term =
@@ -17,7 +18,7 @@ void addFreePlay(const fit::Excitation& excitation, fit::Candidate& candidate) {
   }
 }
 
-// The motion that is lost in all dead zones together once it is beyond each of them.
+// Returns the motion that is lost in all dead zones together if the displacement is beyond each of them.
 std::vector<HeadlineValue> lostMotion(const Effect::Entries& plays) {
   const double lost = std::accumulate(plays.begin(), plays.end(), 0.0, [](double sum, const auto& entry) {
     return sum + valueOr(entry, "share", 1.0) * entry.value("gap");

@@ -1,4 +1,5 @@
-// Candidate effect: friction of any smoothness, whose limit may depend on displacement, travel or rate.
+// Candidate effect: friction with any transition from sticking to sliding, whose limit may depend on displacement,
+// travel or rate.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,26 +26,26 @@ void addFriction(const fit::Excitation& excitation, fit::Candidate& candidate) {
   candidate.is_friction = excitation.whole_logs > 1;
   const double typical = 0.1 * excitation.stiffness;
   const double largest = excitation.largest_displacement;
-  // Stop operators over the range of amplitudes: with stiffnesses of 0 or more they compose any friction that obeys
-  // Masing's rule (Coulomb, Dahl, Iwan) and come close to those that nearly do (Berg, Bouc-Wen).
+  // Stop operators over the range of amplitudes. With nonnegative stiffnesses they represent any friction that obeys
+  // Masing's rule (Coulomb, Dahl, Iwan), and approximate laws that nearly obey it (Berg, Bouc-Wen).
   for (const double share : {0.006, 0.015, 0.035, 0.075, 0.15, 0.27, 0.45, 0.7}) {
     candidate.terms.push_back(sliderTerm(share * largest, typical));
   }
-  // Limits that grow fivefold up to the largest displacement.
+  // Friction whose limit grows fivefold between zero and the largest displacement.
   for (const double share : {0.006, 0.015, 0.035, 0.075, 0.15}) {
     candidate.terms.push_back(
         fit::additiveTerm("variable_friction", "stiffness", typical,
                           {{"yield_displacement", {share * largest}}, {"growth_displacement", {0.25 * largest}}}));
   }
-  // Friction that wears within some cycles.
+  // Friction that wears within several cycles.
   for (const double share : {0.035, 0.15}) {
     candidate.terms.push_back(fit::additiveTerm("variable_friction", "stiffness", typical,
                                                 {{"yield_displacement", {share * largest}},
                                                  {"travel", {40.0 * largest}},
                                                  {"dead_band", {excitation.dead_band}}}));
   }
-  // Friction whose limit rises with the rate: half of it is reached at a rate well below the largest, because a force
-  // that rises up to the largest rate is viscous damping.
+  // Friction whose limit rises with the rate. Half of the limit is reached at a rate well below the largest rate,
+  // because a force that rises up to the largest rate is viscous damping.
   for (const double rate_share : {0.06, 0.2}) {
     for (const double share : {0.006, 0.035}) {
       candidate.terms.push_back(fit::additiveTerm(
@@ -52,14 +53,15 @@ void addFriction(const fit::Excitation& excitation, fit::Candidate& candidate) {
           {{"yield_displacement", {share * largest}}, {"half_rate", {rate_share * excitation.highest_rate}}}));
     }
   }
-  // Iwan's law of two numbers, whose memory survives the noise of a sensor, unlike that of Berg's or Bouc and Wen's.
+  // Iwan's law has two parameters. Its memory is not erased by the noise of a sensor, unlike that of Berg's law or the
+  // law of Bouc and Wen.
   for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {
     candidate.laws.push_back(
         fit::additiveTerm("iwan", "maximum_force", typical * share * largest, {{"displacement", {share * largest}}}));
   }
 }
 
-// Merges all sliders into one table, before all other entries.
+// Merges all sliders into one table, which becomes the first entry.
 void mergeSliders(Effect::Entries& entries) {
   element::ElementDescription table{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
   const auto others = std::stable_partition(entries.begin(), entries.end(),
@@ -76,8 +78,8 @@ void mergeSliders(Effect::Entries& entries) {
   entries.erase(entries.begin() + 1, others);
 }
 
-// Force of an entry that is moved from rest; at an infinite displacement its limit. Limits that grow or wear count at
-// their initial value, limits that rise with the rate at their final value.
+// Returns the force of an entry whose displacement moves from rest to z. For an infinite z, this is the limit of the
+// force. Limits that grow or wear have their initial value, and limits that rise with the rate have their final value.
 double forceAt(const element::ElementDescription& entry, double z) {
   if (entry.type == "friction") {
     return entry.value("maximum_force") / (1.0 + entry.value("displacement") / z);
@@ -91,13 +93,13 @@ double forceAt(const element::ElementDescription& entry, double z) {
   });
 }
 
-// Force of all entries together that are moved from rest.
+// Returns the force of all entries together when the displacement moves from rest to z.
 double forceAt(const Effect::Entries& entries, double z) {
   return std::accumulate(entries.begin(), entries.end(), 0.0,
                          [&](double sum, const auto& entry) { return sum + forceAt(entry, z); });
 }
 
-// A force, and the displacement from rest at which half of it is reached.
+// Returns a force, and the displacement from rest at which half of it is reached.
 std::vector<HeadlineValue> forceAndHalf(const Effect::Entries& entries, const char* name, double force) {
   double low = 0.0;
   double high = 1e-9;
@@ -111,13 +113,14 @@ std::vector<HeadlineValue> forceAndHalf(const Effect::Entries& entries, const ch
   return {{name, "N", force, true}, {"displacement", "m", high, false}};
 }
 
-// The limit of the force, like that of the element `friction`.
+// Returns the limit of the force, like that of the element `friction`.
 std::vector<HeadlineValue> limitOf(const Effect::Entries& entries) {
   return forceAndHalf(entries, "maximum_force", forceAt(entries, std::numeric_limits<double>::infinity()));
 }
 
-// Half of the width of the largest loop at zero displacement, by Masing's rule 2 F(A/2) - F(A); the limit if the loop
-// reaches it. Logs determine neither a limit that they do not reach nor a force that is in phase with the stiffness.
+// Returns half of the width of the largest loop at zero displacement, which is 2 F(A/2) - F(A) by Masing's rule for
+// amplitude A and force F. Logs determine neither a limit that they do not reach nor a force in phase with the
+// stiffness.
 std::vector<HeadlineValue> halfWidthOfLoop(const Effect::Entries& entries, const fit::Excitation& excitation) {
   const double largest = excitation.largest_displacement;
   return forceAndHalf(entries, "force_in_largest_loop",

@@ -1,4 +1,4 @@
-// Candidate effect: mass that moves with the displacement.
+// Candidate effect: a mass that moves with the displacement.
 #include "diagnosis/effect.h"
 #include "rubber_suspension/element/constants.h"
 

@@ -8,8 +8,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// A contact whose scale is the share of its force that a spring of the stiffness of the logs loses while the contact is
-// open; at 1 it loses all of it.
+// Returns the term of a contact in series with a spring that has the stiffness of the logs. The scale is the fraction
+// of the force of this spring that is lost while the contact is open; at 1, all of it is lost.
 fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side, double preload) {
   fit::BasisTerm term;
   term.at = [=, stiffness = excitation.stiffness](double share) {
@@ -28,11 +28,11 @@ fit::BasisTerm contactTerm(const fit::Excitation& excitation, double side, doubl
   return term;
 }
 
-// Indications of a contact that opens, from the extremes of the force.
+// The extremes of the force, which indicate whether a contact opens.
 struct Opening {
-  double side;     // sign of the force that it may carry
-  double largest;  // magnitude of the force of the other sign [N]
-  double share;    // ratio of this to the largest force of its own sign
+  double side;     // sign of the force that the contact can transmit
+  double largest;  // largest magnitude of forces of the other sign [N]
+  double share;    // `largest` divided by the largest force of the sign `side`
 };
 
 Opening openingOf(const fit::Excitation& excitation) {
@@ -42,12 +42,12 @@ Opening openingOf(const fit::Excitation& excitation) {
                                : Opening{-1.0, tension, tension / compression};
 }
 
-// Adds a contact without a preload and, if the force of the other sign exceeds what an offset causes, some with a
-// preload. A contact that transmits no force while open shows its preload as the largest force of that sign, from which
-// fits may start.
+// Adds a contact without a preload. If the force of the other sign exceeds what an offset causes, also adds contacts
+// with a preload. If a contact transmits no force while open, the largest force of the other sign is its preload, so
+// that fits may start from this value.
 void addLiftOff(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  constexpr double kMost = 0.7;    // share above which too little of the motion remains for an open contact
-  constexpr double kOfZero = 0.1;  // share of the other sign that an offset of the force may cause
+  constexpr double kMost = 0.7;    // `share` above which the contact would be open for too little of the motion
+  constexpr double kOfZero = 0.1;  // `share` that an offset of the force may cause
   const Opening opening = openingOf(excitation);
   if (!(opening.share < kMost)) {
     return;
@@ -69,8 +69,8 @@ double leastPreload(const Effect::Entries& contacts) {
   return least;
 }
 
-// The stiffness that remains once all contacts are open, mostly 0, with the slack side in its name; and the force at
-// which the first contact opens.
+// Returns the stiffness that remains once all contacts are open, which is mostly 0, with the open side in its name. If
+// all contacts have a preload, also returns the force at which the first contact opens.
 std::vector<HeadlineValue> whatHoldsIt(const Effect::Entries& contacts) {
   double compliance = 0.0;
   for (const element::ElementDescription& entry : contacts) {
@@ -85,7 +85,7 @@ std::vector<HeadlineValue> whatHoldsIt(const Effect::Entries& contacts) {
   return result;
 }
 
-// Sign of the force that the contact transmits.
+// Returns a phrase that states which sign of force the contact transmits, or where it opens.
 std::vector<std::string> carried(const Effect::Entries& augmented) {
   Effect::Entries contacts;
   std::copy_if(augmented.begin(), augmented.end(), std::back_inserter(contacts),
@@ -100,7 +100,7 @@ std::vector<std::string> carried(const Effect::Entries& augmented) {
   return {tension ? "carries tension alone" : "carries compression alone"};
 }
 
-// A contact that transmits a force while open is equivalent to a compliance of one side.
+// A contact that transmits some force while it is open is equivalent to a compliance of one side.
 Effect liftOff() {
   Effect effect{115, "lift_off",
                 "contact that carries only one sign of force, such as a chevron, strap or spring that is not bonded: "

@@ -12,7 +12,7 @@ void addPayneEffect(const fit::Excitation& excitation, fit::Candidate& candidate
                                                  {"travel", {share * excitation.largest_displacement}},
                                                  {"dead_band", {excitation.dead_band}}}));
   };
-  // Recovery within 5 or 50 cycles of the fastest motion.
+  // The stiffness recovers within 5 or 50 cycles of the fastest motion.
   for (const double cycles : {5.0, 50.0}) {
     for (const double share : {0.2, 0.7, 2.5}) {
       for (const double band : {0.003, 0.02, 0.15}) {
@@ -25,7 +25,8 @@ void addPayneEffect(const fit::Excitation& excitation, fit::Candidate& candidate
   }
 }
 
-// Over a long travel the effect resembles relaxation, so that it is named only if relaxation fails.
+// Over a long travel the effect resembles relaxation. It therefore contains relaxation, and is named only if it
+// explains the logs better.
 Effect payneEffect() {
   Effect effect{165, "payne_effect",
                 "Payne effect of filled rubber: stiffness falls during motion and recovers at rest", false,

@@ -1,4 +1,4 @@
-// Candidate effect: odd stiffening.
+// Candidate effect: stiffening that is equal in tension and compression.
 #include <cmath>
 
 #include "diagnosis/effect.h"
@@ -12,7 +12,7 @@ void addProgressiveStiffness(const fit::Excitation& excitation, fit::Candidate& 
   candidate.terms = {fit::additiveTerm("progressive_stiffness", "quadratic", typical / z),
                      fit::additiveTerm("progressive_stiffness", "cubic", typical / (z * z)),
                      fit::additiveTerm("progressive_stiffness", "quintic", typical / (z * z * z * z))};
-  for (const double share : {0.3, 0.15}) {  // steep, without a knee
+  for (const double share : {0.3, 0.15}) {  // steep laws without a kink
     candidate.terms.push_back(fit::additiveTerm("progressive_stiffness", "exponential",
                                                 typical * std::exp(-1.0 / share),
                                                 {{"exponential_scale", {share * z}}}));

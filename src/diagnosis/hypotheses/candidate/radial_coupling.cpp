@@ -1,4 +1,4 @@
-// Candidate effect: stiffening along the radius that the direction shares with another one.
+// Candidate effect: stiffening along the radius that the direction shares with another direction.
 #include <cmath>
 
 #include "diagnosis/effect.h"
@@ -6,8 +6,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Adds whole laws of the radius, for a configured law that is linear, and what the radius alone adds to laws that are
-// right along each direction.
+// Adds whole radial laws, for components whose configured law is linear. Also adds only what the radius contributes to
+// a law that is right along each direction alone.
 void addRadialCoupling(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double r = excitation.largest_radius;
   if (r == 0.0) {

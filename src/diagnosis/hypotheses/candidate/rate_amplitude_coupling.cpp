@@ -1,4 +1,4 @@
-// Candidate effect: amplitude dependence that itself depends on the rate.
+// Candidate effect: a dependence on amplitude that itself depends on the rate.
 #include <array>
 
 #include "diagnosis/effect.h"
@@ -6,9 +6,10 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-constexpr std::array<double, 3> kBands = {0.03, 0.15, 0.7};  // break frequencies over the highest of the motion
+// break frequencies divided by the highest frequency of the motion
+constexpr std::array<double, 3> kBands = {0.03, 0.15, 0.7};
 
-// Adds flow that large forces accelerate, and flow that begins at a limit of the force.
+// Adds Maxwell elements whose flow large forces accelerate, and others whose flow begins at a limit of the force.
 void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   const auto add = [&](const char* law, const char* limit, double band, double share,
                        element::ParameterValues shape = {}) {
@@ -27,7 +28,8 @@ void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& ter
   }
 }
 
-// Adds flow that is faster the farther the force exceeds a limit: two to five times the limit at the highest rate.
+// Adds flow whose rate increases with the excess of the force over a limit. At the highest rate, the force is two to
+// five times the limit.
 void addOverstress(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double share : {0.02, 0.07, 0.25}) {
     for (const double rate_share : {0.07, 0.3, 1.0}) {
@@ -43,8 +45,8 @@ void addRateAmplitudeCoupling(const fit::Excitation& excitation, fit::Candidate&
   addOverstress(excitation, candidate.terms);
 }
 
-// Flow at a limit of the force is friction, and flow at any force is relaxation: the effect is named only if these
-// fail.
+// Flow at a limit of the force is friction, and flow at any force is relaxation. The effect therefore contains both,
+// and is named only if it explains the logs better than they do.
 Effect rateAmplitudeCoupling() {
   Effect effect{160, "rate_amplitude_coupling",
                 "flow that large forces or fast motion accelerate: stiffness falls with amplitude, the more the higher "

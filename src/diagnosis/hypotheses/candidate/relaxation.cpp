@@ -6,8 +6,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Adds relaxation that is faster than creep. All relaxation that is faster than the motion, such as the end of a broad
-// spectrum, appears as damping alone: one element represents it.
+// Adds relaxation that is faster than creep. A single element represents all relaxation that is faster than the motion,
+// because such relaxation acts as damping.
 void addRelaxation(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double slowest = 1.0 / (2.0 * element::kPi * longestRelaxationTime(excitation));
   constexpr double kRatio = 2.2;

@@ -1,4 +1,4 @@
-// Candidate effect: stiffness that falls as the rubber warms.
+// Candidate effect: a stiffness that falls as the rubber warms.
 #include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {

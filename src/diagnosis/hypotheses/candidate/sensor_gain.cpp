@@ -1,4 +1,4 @@
-// Candidate effect: a force channel of wrong gain.
+// Candidate effect: a force channel with a wrong gain.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,8 +30,8 @@ std::string gainOrValues(const std::map<std::string, double>& numbers) {
                                      100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
 }
 
-// A common factor on all logs is equivalent to wrong values. If the range of an amplifier was changed between logs,
-// their gains differ, which no values explain.
+// A gain of all logs is equivalent to wrong values of the model. If the range of an amplifier is changed between logs,
+// the gains differ, which no values of the model explain.
 Effect sensorGain() {
   Effect effect{145, "sensor_gain",
                 "wrong gain of the force channel, beyond the rig's tolerance: a factor on all forces, which looks like "

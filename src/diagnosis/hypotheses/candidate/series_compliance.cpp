@@ -1,4 +1,4 @@
-// Candidate effect: a bracket or rig that yields.
+// Candidate effect: a compliant bracket or rig.
 #include <algorithm>
 #include <utility>
 
@@ -25,16 +25,17 @@ fit::BasisTerm complianceTerm(const fit::Excitation& excitation, double closing_
   return term;
 }
 
-// Adds one compliance for each side, and one that vanishes under load: together they represent a mount with or without
-// asymmetry and hardening.
+// Adds a compliance for each side, and one that closes under load. Together they represent a mount that may be
+// asymmetric or harden.
 void addSeriesCompliance(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  constexpr double kClosing = 0.5;  // of the largest force
+  constexpr double kClosing = 0.5;  // divided by the largest force of a spring with the stiffness of the logs
   const double closing_force = kClosing * excitation.stiffness * excitation.largest_displacement;
   candidate.terms = {complianceTerm(excitation, 0.0, 1.0), complianceTerm(excitation, 0.0, -1.0),
                      complianceTerm(excitation, closing_force, 0.0)};
 }
 
-// Merges compliances of either side into one for both, and one for the remainder of the softer side.
+// Merges the compliances of the two sides into one that is common to both, and one for the remainder of the softer
+// side.
 void mergeSides(Effect::Entries& entries) {
   const auto ofSide = [&](double side) {
     return std::find_if(entries.begin(), entries.end(), [&](const element::ElementDescription& entry) {
@@ -58,7 +59,7 @@ void mergeSides(Effect::Entries& entries) {
   }
 }
 
-// Headline numbers of each compliance, because stiffnesses in series do not add up.
+// Returns the headline numbers of each compliance by itself, because stiffnesses in series do not add up.
 std::vector<HeadlineValue> eachOf(const Effect::Entries& compliances) {
   std::vector<HeadlineValue> result;
   for (const element::ElementDescription& entry : compliances) {

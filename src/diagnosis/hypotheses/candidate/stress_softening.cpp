@@ -1,4 +1,4 @@
-// Candidate effect: softening by past displacement.
+// Candidate effect: softening by past displacements.
 #include "diagnosis/effect.h"
 
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
@@ -12,8 +12,8 @@ fit::BasisTerm factorTerm(const element::ParameterValues& shape) {
   return term;
 }
 
-// Softening that begins anywhere from just below the largest past displacement to small displacement, at once or over
-// some cycles.
+// Adds softening that begins between small displacements and just below the largest past displacement, either at once
+// or within several cycles.
 void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
   for (const double path : {0.0, 8.0}) {
     for (const double width : {0.05, 0.15, 0.5, 1.5}) {
@@ -27,7 +27,7 @@ void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
   }
 }
 
-// Softening that increases with the largest past displacement.
+// Adds softening that increases with the largest past displacement.
 void addByReach(double largest, std::vector<fit::BasisTerm>& terms) {
   const auto add = [&](double exponent, double width, double path) {
     terms.push_back(factorTerm(
@@ -40,7 +40,7 @@ void addByReach(double largest, std::vector<fit::BasisTerm>& terms) {
   add(2.0, 1.5, 8.0);
 }
 
-// Softening by the ratio of displacements in place of that of energies.
+// Adds softening that depends on the ratio of displacements instead of the ratio of energies.
 void addByDisplacement(double largest, std::vector<fit::BasisTerm>& terms) {
   for (const double path : {0.0, 8.0}) {
     for (const double exponent : {0.0, 1.0}) {
@@ -53,7 +53,7 @@ void addByDisplacement(double largest, std::vector<fit::BasisTerm>& terms) {
   }
 }
 
-// Adds softening of one direction alone, and softening that recovers at rest.
+// Adds softening on one side only, and softening that recovers at rest.
 void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double side : {1.0, -1.0}) {
     terms.push_back(
@@ -66,7 +66,7 @@ void addOneSidedAndRecovering(const fit::Excitation& excitation, std::vector<fit
   }
 }
 
-// Adds the force of a first loading, which a factor on the settled force cannot represent.
+// Adds the additional force of a first loading. A factor on the settled force cannot represent it.
 void addFirstLoading(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double share : {0.02, 0.1, 0.5}) {
     terms.push_back(fit::additiveTerm("first_loading", "stiffness", 0.1 * excitation.stiffness / share,

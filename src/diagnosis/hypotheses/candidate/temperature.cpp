@@ -1,4 +1,4 @@
-// Candidate effect: rates and stiffness that follow the temperature of the logs.
+// Candidate effect: rates and a stiffness that depend on the temperature of the logs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,23 +12,28 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Decades of time between the lowest and the highest temperature for an activation energy of 1 J/mol.
+// Returns the decades of time by which an activation energy of 1 J/mol shifts between the lowest and the highest
+// temperature.
 double decadesPerEnergy(const fit::Excitation& excitation) {
   const auto inverse = [](double temperature) { return 1.0 / (temperature + element::kZeroCelsius); };
   return (inverse(excitation.lowest_temperature) - inverse(excitation.highest_temperature)) /
          (std::log(10.0) * element::kGasConstant);
 }
 
-// Largest energy of either sign, because the component's own shift may be too large.
+// Returns the largest magnitude of the activation energy. It may have either sign, because the shift that the component
+// already has may be too large.
 double largestEnergy(const fit::Excitation& excitation) {
-  constexpr double kMost = 5e5;          // [J/mol]; at the glass transition
-  constexpr double kMostDecades = 16.0;  // over the range; the law is valid to 20 decades to the slow side
+  constexpr double kMost = 5e5;  // in J/mol, at the glass transition
+  // over the range of temperatures; the law is valid up to 20 decades towards slow rates
+  constexpr double kMostDecades = 16.0;
   return std::min(kMost, kMostDecades / decadesPerEnergy(excitation));
 }
 
-// Shift of rates with one activation energy, which approximates any law of temperature over some tens of kelvin.
+// Returns a shift of rates with one activation energy, which approximates any law of temperature over several tens of
+// kelvin.
 fit::BasisTerm rates(const fit::Excitation& excitation, double reference) {
-  constexpr double kTypical = 3e4;  // [J/mol]; natural rubber at 20 degC has 7e4, far above T_g all have some 1e4
+  // in J/mol; natural rubber at 20 degC has 7e4, and any rubber far above its glass transition has the order of 1e4
+  constexpr double kTypical = 3e4;
   fit::BasisTerm term =
       fit::additiveTerm("arrhenius_shift", "activation_energy", kTypical, {{"reference", {reference}}});
   term.additive = false;
@@ -38,34 +43,35 @@ fit::BasisTerm rates(const fit::Excitation& excitation, double reference) {
   return term;
 }
 
-// Relaxation that only the shift moves to the frequencies of the logs. Unshifted, it is there a spring or without
-// force, to a percent of its largest stiffness.
+// Adds relaxation that only the shift moves to the frequencies of the logs. At these frequencies, an unshifted branch
+// is a spring or has no force, to within a percent of its largest stiffness.
 void addRelaxationBeyond(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   const auto add = [&](double frequency) {
     terms.push_back(
         fit::additiveTerm("maxwell", "stiffness", 0.1 * excitation.stiffness, {{"break_frequency", {frequency}}}));
     terms.back().upper = excitation.stiffness;
-    terms.back().additive = false;  // it shifts
+    terms.back().additive = false;  // because it shifts
     terms.back().start = terms.back().typical;
   };
-  const double reach = 0.5 * excitation.activation_energy * decadesPerEnergy(excitation);  // to either side
+  const double reach = 0.5 * excitation.activation_energy * decadesPerEnergy(excitation);  // decades to either side
   for (double decades = 2.0; decades <= std::ceil(reach); decades += 1.0) {
     add(std::pow(10.0, -decades) / excitation.longest_duration);
     add(std::pow(10.0, decades) * excitation.highest_frequency);
   }
 }
 
-// Stiffness that rises with the temperature, as entropy elasticity does, or falls, as with fillers.
+// Returns a stiffness that changes with temperature. It rises due to entropy elasticity, or falls, as in filled rubber.
 fit::BasisTerm stiffness(double reference, double reach) {
-  constexpr double kTypical = 3e-3;  // [1/K]; entropy 1/293, fillers some 0.1 to 1 % per kelvin
+  constexpr double kTypical = 3e-3;  // in 1/K; 1/293 for entropy elasticity, 0.001 to 0.01 for fillers
   fit::BasisTerm term = fit::additiveTerm("vertical_shift", "coefficient", kTypical, {{"reference", {reference}}});
   term.additive = false;
-  term.upper = 0.8 / (2.0 * reach + 20.0);  // positive also on logs that are twice as far from the reference
+  // keeps the stiffness positive at twice the temperature range of the logs from the reference
+  term.upper = 0.8 / (2.0 * reach + 20.0);
   term.lower = -term.upper;
   return term;
 }
 
-// Stiffness that rises more steeply at lower temperatures.
+// Returns a stiffness that rises more steeply at lower temperatures, towards the glass transition.
 fit::BasisTerm transition(double reference, double width) {
   fit::BasisTerm term =
       fit::additiveTerm("transition_shift", "share", 0.05, {{"width", {width}}, {"reference", {reference}}});
@@ -83,7 +89,7 @@ void addTemperature(const fit::Excitation& excitation, fit::Candidate& candidate
   }
 }
 
-// Relative changes of stiffness and rates per kelvin at the reference temperature.
+// Returns the relative changes of stiffness and of rates per kelvin at the reference temperature.
 std::vector<HeadlineValue> changesPerKelvin(const Effect::Entries& entries) {
   double stiffness = 0.0;
   double rates = 0.0;

@@ -1,4 +1,4 @@
-// Candidate effect: displacement or force that is recorded late.
+// Candidate effect: a displacement or force that is recorded late.
 #include <algorithm>
 
 #include "diagnosis/effect.h"
@@ -10,7 +10,8 @@ void addTimeDelay(const fit::Excitation& excitation, fit::Candidate& candidate) 
   fit::BasisTerm term = fit::additiveTerm("time_delay", "delay", excitation.dt);
   term.lower = -std::min(4.0 * excitation.dt, 0.02);
   term.upper = 0.03;
-  term.typical = std::min(term.typical, 0.5 * term.upper);  // in a slow log at most what the element accepts
+  // with long time steps, a delay of one step exceeds the range of the element
+  term.typical = std::min(term.typical, 0.5 * term.upper);
   term.additive = false;
   candidate.terms = {term};
   candidate.one_form = true;

@@ -1,4 +1,4 @@
-// Candidate effect: viscous damping, which may depend nonlinearly on the rate, or on the displacement.
+// Candidate effect: viscous damping, which may depend on the displacement, or nonlinearly on the rate.
 #include <cmath>
 #include <numeric>
 
@@ -11,16 +11,16 @@ namespace {
 void addViscousDamping(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double typical = 0.05 * excitation.stiffness / (2.0 * element::kPi * excitation.highest_frequency);
   candidate.terms = {fit::additiveTerm("dashpot", "damping", typical, {{"order", {2.0}}})};
-  for (const double exponent : {0.5, 2.0}) {  // shear thinning; flow through an orifice
+  for (const double exponent : {0.5, 2.0}) {  // for shear thinning, and for flow through an orifice
     candidate.terms.push_back(
         fit::additiveTerm("power_dashpot", "damping", typical,
                           {{"reference_rate", {excitation.highest_rate}}, {"exponent", {exponent}}}));
   }
-  for (const double share : {0.3, 1.0}) {  // thinning up to a limit of the force
+  for (const double share : {0.3, 1.0}) {  // for shear thinning up to a limit of the force
     candidate.terms.push_back(
         fit::additiveTerm("thinning_dashpot", "damping", typical, {{"half_rate", {share * excitation.highest_rate}}}));
   }
-  for (const double power : {1.0, 4.0}) {  // fluid that is squeezed through a closing gap
+  for (const double power : {1.0, 4.0}) {  // for fluid that is squeezed out of a closing gap
     for (const double side : {1.0, -1.0}) {
       candidate.terms.push_back(fit::additiveTerm(
           "position_dashpot", "damping", typical,
@@ -30,7 +30,7 @@ void addViscousDamping(const fit::Excitation& excitation, fit::Candidate& candid
   }
 }
 
-// Force of an entry at a rate, at a displacement of 0.
+// Returns the force of an entry at a rate and at zero displacement.
 double forceAtRate(const element::ElementDescription& entry, double rate) {
   const double linear = entry.value("damping") * rate;
   if (entry.type == "power_dashpot") {
@@ -42,7 +42,8 @@ double forceAtRate(const element::ElementDescription& entry, double rate) {
   return entry.type == "position_dashpot" ? linear * std::pow(0.5, entry.value("power")) : linear;
 }
 
-// Only a single linear dashpot has a damping; for other laws the logs determine the force at a rate.
+// Returns the damping of a single linear dashpot. For other laws, returns their force at the highest rate, because logs
+// determine this force and no damping.
 std::vector<HeadlineValue> forceOrDamping(const Effect::Entries& entries, const fit::Excitation& excitation) {
   if (entries.size() == 1 && entries.front().type == "dashpot") {
     return movedOf(entries);
