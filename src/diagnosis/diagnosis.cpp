@@ -103,9 +103,8 @@ struct JudgedCase {
   Workings workings;
 };
 
-// Searches and judges the hypotheses. If gains or offsets differ between logs without a cause in the motion, they are
-// errors of these logs. Such errors become free parameters of the logs, and the search is repeated until it finds no
-// further ones.
+// Searches and judges the hypotheses. Gains or offsets that differ between logs without a cause in the motion are
+// errors of these logs. They become free parameters, and the search is repeated until it finds no further ones.
 JudgedCase searchedAndJudged(const io::ComponentDescription& component, Records training, Records held_out,
                              const DiagnosisOptions& options) {
   const std::vector<std::string> excluded = hypotheses::excludedEffects(component, options);
@@ -216,8 +215,7 @@ double largestOf(const std::vector<double>& signal) {
       .lpNorm<Eigen::Infinity>();
 }
 
-// Returns the error for a fit that needs a parameter beyond the range of every law. The error names the log with the
-// largest ratio of force to displacement.
+// Returns an error that names the stiffest log, for a fit that needs a parameter outside the range of every law.
 log::LogError beyondAllLaws(const std::vector<log::Log>& logs, const char* number) {
   const auto stiffness = [](const log::Log& log) { return largestOf(log.force) / largestOf(log.displacement); };
   const auto log = std::max_element(logs.begin(), logs.end(),

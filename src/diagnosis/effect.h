@@ -1,5 +1,4 @@
-// Effects that a diagnosis may name. Each is declared in one file of hypotheses/candidate/; nothing else branches on a
-// name.
+// Effects that a diagnosis may name. Each is declared in one file of hypotheses/candidate/.
 #pragma once
 
 #include <map>
@@ -37,14 +36,11 @@ struct Effect {
   std::string name = {};
   std::string documentation = {};  ///< one sentence that describes the effect and how it shows in logs
   bool on_rig = false;             ///< the effect belongs to the rig, not to the rubber
-  /// Adds the basis terms and their bounds to a candidate for logs with this excitation. Adds no term if such logs
-  /// cannot show the effect.
+  /// Adds basis terms with bounds to a candidate; adds none if logs with this excitation cannot show the effect.
   void (*add_terms)(const fit::Excitation& excitation, fit::Candidate& candidate) = nullptr;
   InSettledLoops in_settled_loops = InSettledLoops::shown;
-  /// the effect lowers the stiffness in the course of the logs, as a warming room does
-  bool falls_like_warming = false;
-  /// Reason why a table cannot be diagnosed if the component has an element with the name of this effect; empty if it
-  /// can.
+  bool falls_like_warming = false;  ///< lowers the stiffness in the course of the logs, as a warming room does
+  /// Why tables cannot be diagnosed if the component has an element of this name; empty if they can.
   std::string not_beside_tables = {};
   /// Effects that are limits of the law of this effect, which can therefore represent them.
   std::vector<std::string> contains = {};
@@ -90,9 +86,8 @@ std::vector<HeadlineValue> headlineValuesOf(const std::vector<element::ElementDe
 /// Returns the headline numbers by name, as report.json contains them.
 std::map<std::string, double> headlineOf(const std::vector<element::ElementDescription>& entries);
 
-/// Returns the numbers that a fit changes in an entry. If there are several entries of one type, returns only the sum
-/// of their first parameter, with the name total_NAME. Reductions by softening act one after the other and are
-/// compounded.
+/// Returns the numbers that a fit changes in an entry. For several entries of one type, returns only the sum of their
+/// first parameter, as total_NAME; reductions by softening, which act one after the other, are compounded.
 std::vector<HeadlineValue> movedOf(const std::vector<element::ElementDescription>& group);
 
 /// Returns a value of an entry, or `otherwise` if the entry lacks it.

@@ -115,8 +115,8 @@ bool floorIsLeast(const Diagnosis& d) {
          all(d.candidates, [&](const CandidateResult& c) { return d.gaps.unseen.noise_floor <= c.gap + kRounding; });
 }
 
-// Returns true if the named effects close more of the gap than re-estimated values alone, or more than none of it with
-// values nearer to the data sheet than the re-estimated ones.
+// Returns true if the named effects close more of the gap than re-estimated values. It is enough that they close any of
+// the configured gap if their values are nearer to the data sheet than the re-estimated ones.
 bool whatIsNamedCloses(const Diagnosis& d) {
   if (d.answer.effects.empty() || !d.law.withheld.empty()) {
     return true;
@@ -137,8 +137,7 @@ bool intervalHoldsWhatIsClosed(const Diagnosis& d) {
          (d.gaps.closed_interval[0] <= d.gaps.closed && d.gaps.closed <= d.gaps.closed_interval[1]);
 }
 
-// Returns true if the value at the beginning of the sentence deviates most from the component file, among all values
-// with which the sentence could begin.
+// Returns true if the sentence begins with the value that deviates most from the component file.
 bool headlineIsTheLargest(const Diagnosis& d) {
   const SizedValue* const headline = words::headlineValue(d);
   return all(words::changedValues(d), [&](const SizedValue* size) {
@@ -234,8 +233,7 @@ bool fileLeavesNoMore(const Diagnosis& d) {
          all(d.law.withheld, [&](const Withheld& one) { return !isWritten(d, one.effect); });
 }
 
-// Returns true if the numbers of named effects are those of the written law, and those of other effects are of their
-// full laws.
+// Returns true if numbers of named effects are those of the written law, and numbers of others those of full laws.
 bool numbersAreOfTheFile(const Diagnosis& d) {
   return d.table || all(d.candidates, [&](const CandidateResult& c) {
            const bool named = std::count(d.answer.effects.begin(), d.answer.effects.end(), c.effect) > 0;

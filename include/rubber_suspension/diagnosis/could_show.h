@@ -13,12 +13,10 @@ struct ImplantedEffect {
   /// found or confounded if at least half of the forms are either; otherwise the most frequent one of found,
   /// confounded, taken_for, unexplained and out_of_reach
   std::string outcome;
-  /// effects, or wrong values, that are named in its place or cannot be distinguished from it
-  std::vector<std::string> taken_for;
-  /// for each effect of the list: fraction of the forms for which it would be named first
-  std::vector<double> named_as;
-  double nothing_named = 0.0;  ///< fraction of the forms for which no effect would be named
-  double visible_share = 0.0;  ///< part of its force that re-estimated model parameters do not absorb [-]
+  std::vector<std::string> taken_for;  ///< effects named in its place or not distinguished; may include wrong values
+  std::vector<double> named_as;        ///< for each effect: fraction of the forms for which it would be named first
+  double nothing_named = 0.0;          ///< fraction of the forms for which no effect would be named
+  double visible_share = 0.0;          ///< part of its force that re-estimated model parameters do not absorb [-]
   /// Smallest RMS force, divided by the standard deviation of the force, at which half of the forms are found, alone or
   /// in a set of effects without wrong values; infinite if this ratio would exceed 1.
   double least_size = 0.0;

@@ -31,8 +31,7 @@ namespace rubber_suspension::diagnosis {
 /// Default for the largest number of samples of a search. The memory and the time of a search grow with this number.
 constexpr std::size_t kMostSamples = 300000;
 
-/// Value of a number that was not computed, for example because the verdict is check_bench; written to report.json as
-/// null.
+/// Value of a number that was not computed, as in a report with the verdict check_bench; null in report.json.
 constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 /// The options of a diagnosis besides the component and the logs.
@@ -46,8 +45,7 @@ struct DiagnosisOptions {
   std::vector<std::string> excluded = {};  ///< effects to exclude in addition to those that the component file excludes
   bool evidence = false;  ///< the report includes the evidence: the errors of every hypothesis on held-out data
   std::uint64_t available_memory = 0;  ///< limit in bytes; 0 stands for all memory that is available to this process
-  /// Largest number of samples that the search uses of all logs and hold-outs together. Longer logs are searched in
-  /// excerpts.
+  /// Largest number of samples that a search uses in total. Longer logs and hold-outs are searched in excerpts.
   std::size_t most_samples = kMostSamples;
   bool turns = false;  ///< the component is a rotation: in its file and its logs, m stands for rad and N for N m
 };
@@ -66,8 +64,7 @@ struct CandidateResult {
   double visible_share = 0.0;  ///< part of its typical force that re-estimated model parameters do not absorb [-]
   std::map<std::string, double> parameters;
   std::vector<element::ElementDescription> add;  ///< entries for `add` of a component file
-  /// True if the numbers above are those of the written component with all named effects; false if they are those of
-  /// the full law of this effect alone.
+  /// True if the numbers above are those of the written component, false if they are those of this full law alone.
   bool written = false;
 };
 
@@ -93,12 +90,11 @@ struct Gap {
   double noise_floor = kNotComputed;
 };
 
-/// The force that a model lacks, averaged over cells of displacement and velocity. All logs are averaged together.
+/// The force that a model lacks, averaged over all logs in cells of displacement and velocity.
 struct MissingForce {
   std::vector<double> displacement;  ///< edges of the cells [m]
   std::vector<double> velocity;      ///< edges of the cells [m/s]
-  /// The three lists below have a value for each cell, in rows of constant velocity. Forces are NaN in cells with too
-  /// few samples.
+  /// The next three lists contain the cells in rows of constant velocity; a force is NaN if its cell has few samples.
   std::vector<double> measured;   ///< mean of measured minus augmented force [N]
   std::vector<double> surrogate;  ///< mean force of the surrogate [N]
   std::vector<int> samples;
@@ -110,10 +106,9 @@ struct Surrogate {
   double gap = 0.0;                    ///< gap on the logs as recorded, as `replay` reports it for this component
   double unseen_before = 0.0;  ///< gap of the augmented component on logs or blocks that took no part in the fit
   double unseen_after = 0.0;   ///< gap on the same data of surrogates that were fitted to the other logs or blocks
-  /// fraction of the squared residual beyond the noise that the surrogates of `unseen_after` predict
-  double share = 0.0;
-  double chance = 1.0;                  ///< p-value of this prediction
-  bool beyond_chance = false;           ///< the prediction is significant
+  double share = 0.0;          ///< part of the squared residual beyond noise that such surrogates predict
+  double chance = 1.0;         ///< p-value of this prediction
+  bool beyond_chance = false;  ///< the prediction is significant
   bool function_of_the_motion = false;  ///< the prediction is significant and covers the larger part of the residual
   MissingForce missing;                 ///< the force to which the surrogate is fitted
 };
@@ -160,7 +155,6 @@ struct TakenOut {
 /// Re-estimated value of each parameter divided by its configured value, by name.
 using ParameterRatios = std::vector<std::pair<std::string, double>>;
 
-/// A file that a diagnosis read.
 struct InputFile {
   std::string option;  ///< command-line option that named the file
   std::string name;    ///< file name without its folder
@@ -183,9 +177,8 @@ struct SizedValue {
   /// NaN if the component file does not state the number
   double configured = std::numeric_limits<double>::quiet_NaN();
   double value = 0.0;
-  /// posterior predictive interval, from the uncertainty of the logs and of the form and choice of the law
-  std::array<double, 2> interval_95{};
-  std::array<bool, 2> at_bound{};  ///< for each end of the interval: true if a bound of the fit limits it
+  std::array<double, 2> interval_95{};  ///< posterior predictive: covers logs, form of the law and choice of the law
+  std::array<bool, 2> at_bound{};       ///< for each end of the interval: true if a bound of the fit limits it
   std::string text = {};  ///< the number as rounded for a component file; empty if it is written with all digits
 };
 
@@ -206,26 +199,22 @@ struct SheetDeviation {
 
 /// Stiffness and loss angle of the whole component at one frequency and amplitude, as configured and as augmented.
 struct WholeStiffness {
-  double frequency = 0.0;  ///< [Hz]
-  double amplitude = 0.0;  ///< [m]
-  /// the amplitude is that of the specification; if false, it is the median of the logs
-  bool nominal_amplitude = false;
+  double frequency = 0.0;              ///< [Hz]
+  double amplitude = 0.0;              ///< [m]
+  bool nominal_amplitude = false;      ///< true: amplitude of the specification; false: median of the logs
   std::array<double, 2> stiffness{};   ///< dynamic stiffness as configured and as augmented [N/m]
   std::array<double, 2> loss_angle{};  ///< loss angle as configured and as augmented [rad]
 };
 
-/// An experiment to run on the bench.
 struct ProposedExperiment {
   std::string description;
   double dt = 0.0;                   ///< [s]
   std::vector<double> displacement;  ///< samples at constant time steps [m]; empty if no experiment is proposed
   std::string decides;               ///< effects of the reported explanation
   std::vector<std::string> against;  ///< effects of each competing explanation
-  /// RMS force error of the nearest competing explanation after a refit, if `decides` is right [N]
-  double difference = 0.0;
+  double difference = 0.0;   ///< RMS force error of the nearest competitor after a refit, if `decides` is right [N]
   double open_before = 0.0;  ///< entropy of the question which effects are at work, summed over the effects [bit]
-  /// expected value of this entropy after this log is diagnosed together with the others [bit]
-  double open_after = 0.0;
+  double open_after = 0.0;   ///< expected entropy once this log is diagnosed together with the others [bit]
   double probability = 0.0;  ///< expected probability that the right explanation is then the only likely one
 };
 
@@ -297,8 +286,7 @@ struct LeftOfLog {
   double allowed = 0.0;  ///< limit for written^2 - configured^2
 };
 
-/// An effect that is named but not written, because the written component would have a larger gap on a log than the
-/// configured component.
+/// An effect that is named but not written, because the file would have a larger gap on a log than as configured.
 struct Withheld {
   std::string effect;   ///< name of the effect, or "values" for the re-estimated values
   std::string log;      ///< log on which the gap grows most; "all logs" if the gap grows only for all logs together
@@ -308,8 +296,7 @@ struct Withheld {
 
 /// The component that a diagnosis writes, and the law that was judged.
 struct WrittenLaw {
-  /// The re-estimated component with the simplest law of each named effect and rounded numbers, written to
-  /// augmented.yaml.
+  /// The re-estimated component with the simplest law of each named effect, rounded as in augmented.yaml.
   io::ComponentDescription augmented;
   io::ComponentDescription full;      ///< the same component with the judged laws and unrounded numbers
   double gap_of_full = kNotComputed;  ///< held-out gap of `full`; that of `augmented` is Gaps::unseen.augmented
@@ -330,7 +317,6 @@ struct Where {
   CharacteristicErrors augmented;
 };
 
-/// The model parameters.
 struct OwnParameters {
   ParameterRatios ratios;
   std::vector<SheetDeviation> sheet_deviations;  ///< deviations of the judged model, the largest first
@@ -344,13 +330,11 @@ struct AdmittedLogs {
   std::vector<TakenOut> taken_out;  ///< errors in the order of the logs
 };
 
-/// Recommended next step.
 struct NextStep {
   std::string text;
   ProposedExperiment proposed;
 };
 
-/// Number of samples that a search used.
 struct Samples {
   std::size_t searched = 0;
   std::size_t recorded = 0;  ///< samples of the logs; more than `searched` if the search used excerpts
@@ -359,8 +343,7 @@ struct Samples {
 /// The result of a diagnosis. If the verdict is check_bench or defect, numbers are kNotComputed and lists are empty.
 struct Diagnosis {
   std::string component;
-  /// the component is a rotation: [m] stands for [rad] and [N] for [N m]; units of values are converted
-  bool turns = false;
+  bool turns = false;    ///< rotation: [m] stands for [rad], [N] for [N m]; units of values are converted
   std::string sentence;  ///< states the verdict for an engineer
   std::string defect;    ///< broken invariants; empty except for Verdict::defect
   Answered answer;

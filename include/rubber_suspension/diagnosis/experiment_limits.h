@@ -26,8 +26,7 @@ struct ExperimentLimitInfo {
 
 const std::vector<ExperimentLimitInfo>& experimentLimitTable();
 
-/// Sets one limit from text of the form KEY=VALUE, such as "stroke=20 mm". Throws std::invalid_argument with the key,
-/// the value and what is accepted.
+/// Sets the limit in an assignment KEY=VALUE, such as "stroke=20 mm". Throws std::invalid_argument for other text.
 void setExperimentLimit(ExperimentLimits& limits, const std::string& assignment);
 
 }  // namespace rubber_suspension::diagnosis

@@ -35,9 +35,8 @@ struct Plan {
 };
 
 /// Predicts which effects a diagnosis of the planned logs would find. The logs contain the displacements in the order
-/// in which they are to be recorded on one component. Any measured force in them is ignored: the force of the component
-/// is simulated, and white noise is added. Throws LogError if a log cannot be used, and std::invalid_argument if the
-/// component cannot be built.
+/// of recording on one component. Their forces are ignored: the force of the component is simulated, with white noise.
+/// Throws LogError for a log that cannot be used, std::invalid_argument for a component that cannot be built.
 Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>& logs, const PlanOptions& options);
 
 /// Returns a table for a terminal with a line for each effect.

@@ -12,11 +12,10 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// A cell of the cross map, which states how well the displacement in the direction `by` predicts the residual of the
-/// augmented component in the generalised force of the direction `of`. The prediction is a cubic polynomial of both
-/// displacements plus the product of the rate of `of` and the displacement of `by`. The share counts only what this
-/// function predicts beyond cubic polynomials of the displacement and the rate of `of`, on parts of the logs that took
-/// no part in the fit of these functions.
+/// A cell of the cross map: how well the displacement in the direction `by` predicts the residual of the augmented
+/// component in the generalised force of the direction `of`. The prediction is a cubic polynomial of both displacements
+/// plus the product of the rate of `of` and the displacement of `by`. It counts only beyond cubic polynomials of the
+/// displacement and the rate of `of`, on parts of the logs that took no part in the fit of these functions.
 struct CrossShare {
   component::Direction of = component::kX;
   component::Direction by = component::kY;
@@ -65,9 +64,8 @@ std::string toJson(const SixDirectionsDiagnosis& diagnosis);
 /// Returns the names of the files that writeReports() writes beside the folders of the directions.
 std::vector<std::string> sixDirectionsFiles();
 
-/// Writes report.json, augmented.yaml and report.html into a folder, and the report of each direction into a subfolder
-/// with the name of the direction. Returns an empty string, or the reason in one line if a page could not be drawn.
-/// Throws std::runtime_error.
+/// Writes report.json, augmented.yaml and report.html into a folder, and the report of each direction into a subfolder.
+/// Returns an empty string, or the reason in one line if a page could not be drawn. Throws std::runtime_error.
 std::string writeReports(const SixDirectionsDiagnosis& diagnosis, const std::string& folder);
 
 }  // namespace rubber_suspension::diagnosis

@@ -7,16 +7,14 @@
 namespace rubber_suspension::diagnosis::experiment {
 
 Stroke strokeOf(double low, double high) {
-  // fraction of the half stroke; a smaller centre counts as an offset of the sensor
-  constexpr double kSymmetric = 0.05;
+  constexpr double kSymmetric = 0.05;  // fraction of the half stroke; a smaller centre is an offset
   const Stroke stroke{0.5 * (low + high), 0.5 * (high - low)};
   return std::abs(stroke.centre) > kSymmetric * stroke.half ? stroke : Stroke{0.0, std::min(-low, high)};
 }
 
 Bounds boundsOf(const fit::Excitation& excitation, const std::vector<gap::PreparedRecord>& records,
                 const ExperimentLimits& limits) {
-  // admits motions that the logs contain, whose predicted force may be larger due to noise and errors of the fit
-  constexpr double kOverForce = 1.05;
+  constexpr double kOverForce = 1.05;  // admits motions of the logs despite noise and errors of the fit
   double low = 0.0;
   double high = 0.0;
   double force = 0.0;

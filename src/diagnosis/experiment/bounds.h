@@ -19,7 +19,6 @@ struct Stroke {
 /// `half` is the smaller of their absolute values.
 Stroke strokeOf(double low, double high);
 
-/// The bounds that an experiment has to observe.
 struct Bounds {
   Stroke stroke;
   double speed = 0.0;      ///< largest |dz/dt| [m/s]

@@ -52,8 +52,7 @@ Outcome outcomeOf(const Answer& answer, int effect) {
   return listed ? Outcome::confounded : Outcome::taken_for;
 }
 
-// Returns found or confounded, whichever is more frequent, if at least half of the outcomes are one of these. Otherwise
-// returns the most frequent outcome.
+// Returns the more frequent of found and confounded if these are at least half of the outcomes, else the commonest.
 Outcome commonest(std::map<Outcome, double> outcomes) {
   if (outcomes[Outcome::found] + outcomes[Outcome::confounded] >= 0.5) {
     return outcomes[Outcome::found] < outcomes[Outcome::confounded] ? Outcome::confounded : Outcome::found;

@@ -15,8 +15,8 @@ judge::Evidence evidenceOf(const hypotheses::Search& search, const hypotheses::I
 /// Returns the judgement of all added effects of a search at this size; `why` explains how the size was chosen.
 CouldShow couldShow(const hypotheses::Search& search, double size, const std::string& why);
 
-/// Returns the judgement at a third of the gap above the noise. If this is less than the noise floor or the gap that an
-/// engineer accepts, the size is 10 % of the force.
+/// Returns the judgement at a third of the gap above the noise or, if this is below the noise floor or the gap that an
+/// engineer accepts, at 10 % of the force.
 CouldShow couldShow(const hypotheses::Search& search);
 
 }  // namespace rubber_suspension::diagnosis::experiment

@@ -29,8 +29,7 @@ void withoutDirection(const Eigen::VectorXd& direction, Eigen::MatrixXd& columns
   }
 }
 
-// Eliminates the free parameters of a new log: its offset, a ramp if trends are free, and a multiple of the force if
-// gains are free.
+// Eliminates the offset of a new log, a ramp if trends are free, and a multiple of the force if gains are free.
 Eigen::MatrixXd withoutFree(Eigen::MatrixXd columns, const fit::PerLogNuisances& free, const Eigen::VectorXd& force) {
   columns.rowwise() -= columns.colwise().mean().eval();
   const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(columns.rows(), -1.0, 1.0);
@@ -145,8 +144,7 @@ bool Discriminator::isPlayedAlone(std::size_t explanation, Eigen::Index term) co
   return hypothesis.terms[static_cast<std::size_t>(term)].on_rig || addsUp(explanation);
 }
 
-// For each term, returns true if a refit may change it. A term at 0 stays there if its force would have to be simulated
-// together with other terms.
+// Returns true for the terms that a refit may change. A term at 0 stays there if it cannot be simulated alone.
 std::vector<bool> Discriminator::movable(std::size_t explanation) const {
   const Eigen::VectorXd& scales = explanations_[explanation].fitted->fit.parameters.scales;
   std::vector<bool> movable;
@@ -207,8 +205,7 @@ void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& m
   }
 }
 
-// Returns the log prior of the sizes of the effects of an explanation. The terms have the products `gram`, in units of
-// the variance of the force.
+// Returns the log prior of the sizes of an explanation's effects, whose terms have the normalised products `gram`.
 double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixXd& gram,
                                    const Eigen::VectorXd& scales) const {
   std::vector<double> sizes;
@@ -223,8 +220,7 @@ double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixX
   return judge::priorOfSizes(sizes, explanations_[explanation].usual_size, judge::fittedNumbers().share_spread);
 }
 
-// Returns the error of the wrong explanation on the motion and the logs after a refit, and the change of the prior of
-// its sizes.
+// Returns the error of a wrong explanation after a refit to the motion and the logs, and the change of its prior.
 Refitted Discriminator::refitted(std::size_t right, std::size_t wrong, std::size_t motion) const {
   const Normal& normal = normal_[wrong];
   const OnMotion& on_motion = predictions_[wrong].on_motion[motion];

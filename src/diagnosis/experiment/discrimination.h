@@ -1,5 +1,4 @@
-// Computes how well a motion distinguishes between explanations of the same logs, if the wrong explanations are
-// refitted to the motion.
+// Computes how well a motion distinguishes explanations of the same logs after a refit of the wrong ones.
 #pragma once
 
 #include <limits>
@@ -17,23 +16,19 @@ struct Discrimination {
   const Experiment* experiment = nullptr;
   /// if the first explanation is right: RMS force error of the nearest other explanation after a refit [N]
   double difference = 0.0;
-  /// index of this nearest explanation, which does not contain the effects of the first; 0 if there is none
-  std::size_t nearest = 0;
-  /// expected entropy of the names of effects once the motion is recorded [bit]
-  double open = std::numeric_limits<double>::infinity();
+  std::size_t nearest = 0;  ///< index of this explanation, which does not contain the first; 0 if there is none
+  double open = std::numeric_limits<double>::infinity();  ///< expected entropy after the motion is recorded [bit]
   double probability = 0.0;  ///< expected probability that the right explanation is then the only likely one
 };
 
 /// Finds the motion that most lowers the expected entropy of the question which effects are at work (Lindley, Ann.
-/// Math. Stat. 27, 1956). Each explanation in turn is assumed to be right, with its probability. All others are
-/// refitted by a Gauss-Newton step to the logs and the motion together, in which the offset of the new log is free.
-/// Their remaining errors are judged as in a diagnosis, and so are the sizes of their effects. An explanation that
-/// contains the right one can reproduce its force, but only with a further effect of almost no force, which is
-/// improbable.
+/// Math. Stat. 27, 1956). Each explanation is assumed to be right with its probability. All others are refitted by a
+/// Gauss-Newton step to the logs and the motion together, with a free offset of the new log. Their errors and the sizes
+/// of their effects are judged as in a diagnosis. An explanation that contains the right one can reproduce its force,
+/// but only with a further effect of almost no force, which is improbable.
 class Discriminator {
  public:
-  /// All arguments have to outlive this object. Motions for which an explanation predicts a larger force than
-  /// `force_limit` [N] are excluded.
+  /// All arguments have to outlive this object. Motions with predicted forces above `force_limit` [N] are excluded.
   Discriminator(const fit::Fitter& fitter, const hypotheses::Search& search,
                 const std::vector<Explanation>& explanations, double force_limit, int threads);
   Discriminator(const Discriminator&) = delete;
@@ -41,8 +36,7 @@ class Discriminator {
 
   void setForceLimit(double force_limit) { force_limit_ = force_limit; }
 
-  /// Returns the motion of the menu with the least expected entropy. The result has no experiment if every motion of
-  /// the menu is excluded.
+  /// Returns the motion with the least expected entropy. Its `experiment` is null if every motion is excluded.
   Discrimination best(const std::vector<Experiment>& menu);
 
  private:
@@ -51,15 +45,13 @@ class Discriminator {
     numerics::Limits bounds;  // limits of a step
     fit::PerLogNuisances free;
   };
-  // Products of the derivatives C of the force of an explanation on a motion. Its vectors contain an entry for each
-  // other explanation, with d the difference between the forces of both. The free parameters of a new log are
-  // eliminated.
+  // Products of an explanation's derivatives C on a motion and, for each other explanation, the difference d of the
+  // forces. The free parameters of a new log are eliminated.
   struct OnMotion {
     Eigen::MatrixXd gram;                 // C'C
     std::vector<Eigen::VectorXd> moment;  // C'd
     std::vector<double> square;           // d'd
   };
-  // The forces of an explanation on each of the motions.
   struct Predictions {
     std::vector<Eigen::VectorXd> force;
     std::vector<OnMotion> on_motion;

@@ -29,8 +29,7 @@ struct Outlook {
   double open = 0.0;   ///< entropy of the question which effects are at work, summed over the effects [bit]
 };
 
-/// Returns the judged hypothesis, followed by the likeliest others. The model as configured and the re-estimated model
-/// may be among them.
+/// Returns the judged hypothesis, then the likeliest others, which may be the configured or the re-estimated model.
 std::vector<Explanation> explanationsOf(const Workings& workings);
 
 std::vector<double> probabilitiesOf(const std::vector<Explanation>& explanations);
@@ -39,10 +38,9 @@ std::vector<double> probabilitiesOf(const std::vector<Explanation>& explanations
 /// effect that all explanations contain does not contribute to the entropy.
 double openNames(const std::vector<Explanation>& explanations, const std::vector<double>& weights);
 
-/// Returns the expected outcome if the explanation with the index `right` is right and one log is added to `logs` logs.
-/// All logs have the same weight, so that the weight of earlier logs decreases. The form error of the right explanation
-/// has the distribution that the judgement assumes. `noise` is the squared noise of the new log in addition to that of
-/// the earlier logs.
+/// Returns the outlook if explanation `right` is right and one log is added to `logs` logs. All logs have the same
+/// weight, so the weight of earlier logs decreases. The form error of the right explanation has the distribution that
+/// the judgement assumes. `noise` is the additional squared noise of the new log.
 Outlook outlookOf(std::size_t right, const std::vector<Explanation>& explanations,
                   const std::vector<Refitted>& refitted, double noise, double logs);
 

@@ -15,8 +15,7 @@ namespace rubber_suspension::diagnosis::experiment {
 namespace {
 
 constexpr double kTwoPi = 2.0 * element::kPi;
-// fraction of a bound that motions use, so that rounding does not exceed the bound
-constexpr double kWithin = 1.0 - 1e-6;
+constexpr double kWithin = 1.0 - 1e-6;        // fraction of a bound that is used, so that rounding does not exceed it
 constexpr double kMostSamplesOfMotion = 1e5;  // longer motions are sampled with a multiple of the time step
 constexpr double kCyclesOfMotion = 40.0;  // largest number of cycles; a fit to some of them has to predict the others
 constexpr double kFewestCycles = 6.0;
@@ -44,7 +43,6 @@ struct Shape {
   std::vector<double> parts = {1.0};
 };
 
-// Returns the description of a motion with its amplitudes.
 std::string described(const Shape& shape, double peak) {
   std::string text = shape.words;
   for (const double part : shape.parts) {
@@ -156,8 +154,7 @@ class Menu {
                      half, full_)});
   }
 
-  // Adds a sweep, logarithmic in frequency. The amplitude is constant up to the highest frequency of a sine of full
-  // stroke, and the speed above it.
+  // Adds a logarithmic sweep of constant amplitude up to the frequency `full_`, and of constant speed above it.
   void addSweeps() {
     const double length = 0.95 * room_;
     const double rise = std::log(highest_ / lowest_) / length;
@@ -175,8 +172,7 @@ class Menu {
          words + fmt::format(" up to {:.3g} Hz and at the same speed above", full_)});
   }
 
-  // Adds multisines with the odd or the even harmonics of one frequency. All harmonics have the same speed, and phases
-  // that keep the peak low (Schroeder).
+  // Adds multisines with odd or even harmonics of equal speed, and with phases that keep the peak low (Schroeder).
   void addMultisines() {
     constexpr int kLines = 8;
     for (const int first : {1, 2}) {

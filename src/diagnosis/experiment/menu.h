@@ -20,10 +20,9 @@ struct Experiment {
   double duration() const { return dt * static_cast<double>(displacement.size() - 1); }
 };
 
-/// Returns motions within the bounds: sines, sweeps, multisines with odd and with even harmonics, steps and a hold,
-/// triangles, preloads, amplitudes that rise, fall or return, a repetition, and a motion between two rests. Each motion
-/// starts and ends smoothly at rest at displacement 0, and moves to the centre of the stroke first. Returns an empty
-/// list if the bounds are too narrow.
+/// Returns motions within the bounds: sines, sweeps, multisines, steps and a hold, triangles, preloads, amplitudes that
+/// rise, fall or return, a repetition, and a motion between two rests. Each starts and ends smoothly at rest at
+/// displacement 0, and moves to the centre of the stroke first. Returns an empty list if the bounds are too narrow.
 std::vector<Experiment> experimentMenu(const Bounds& bounds);
 
 }  // namespace rubber_suspension::diagnosis::experiment

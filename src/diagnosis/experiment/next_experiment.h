@@ -19,8 +19,7 @@ enum class Proposal {
   same_effects,  ///< none is needed, because all explanations name the same effects
   no_motion,     ///< none is possible, because no motion stays within the limits
   within_limits,
-  /// no experiment within the limits distinguishes the explanations, but one within a wider limit would
-  beyond_limits,
+  beyond_limits,  ///< only an experiment beyond one of the limits distinguishes the explanations
   none
 };
 
@@ -34,8 +33,7 @@ struct NextExperiment {
   double open = 0.0;               ///< entropy of the question which effects are at work, summed over the effects [bit]
   std::string motion;              ///< best motion within the limits
   double open_after = 0.0;         ///< expected value of this entropy once `motion` is recorded [bit]
-  /// name of the explanation that is nearest to the judged one on `motion`; empty if there is none
-  std::string nearest;
+  std::string nearest;  ///< explanation that is nearest to the judged one on `motion`; empty if there is none
   WiderLimit limit = WiderLimit::stroke;
   Bounds wider;                   ///< bounds with this limit widened
   std::string wider_motion;       ///< best motion within the wider bounds

@@ -10,8 +10,7 @@
 
 namespace rubber_suspension::diagnosis::experiment {
 
-/// Motions that are performed directly after the logs. The component is the one of the logs: it has relaxed and cooled,
-/// but the logs have softened it.
+/// Motions that a component performs directly after the logs: it is relaxed and cooled, but softened by the logs.
 class PlayedMotions {
  public:
   explicit PlayedMotions(const std::vector<gap::PreparedRecord>& logs);

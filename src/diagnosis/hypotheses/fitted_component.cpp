@@ -1,3 +1,4 @@
+// Merges and tidies the entries of a fitted hypothesis.
 #include "diagnosis/hypotheses/fitted_component.h"
 
 #include "diagnosis/effect.h"

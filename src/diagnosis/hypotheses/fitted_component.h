@@ -9,8 +9,7 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Returns the entries of a fitted hypothesis as a user would write them. For example, all sliders of a friction law
-/// are merged into one table.
+/// Returns the entries of a fitted hypothesis as a user would write them, with all sliders of a friction in one table.
 std::vector<element::ElementDescription> entriesOf(const FittedHypothesis& fitted);
 
 /// Returns a component with the model parameters and the additional entries of a fitted hypothesis.

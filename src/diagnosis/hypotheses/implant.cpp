@@ -14,11 +14,9 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// largest number of forms of an effect: the first term, the last one and evenly spaced ones between
-constexpr std::size_t kMostShapes = 6;
-constexpr double kNothing = 1e-9;  // gap below which the force of a typical effect is a rounding error
+constexpr std::size_t kMostShapes = 6;  // forms of an effect: the first, the last and evenly spaced ones between
+constexpr double kNothing = 1e-9;       // gap below which the force of a typical effect is a rounding error
 
-// The basis terms that are fitted for a candidate.
 struct Fitted {
   fit::Hypothesis hypothesis;
   std::vector<Eigen::Index> columns;
@@ -89,8 +87,7 @@ class Projected {
     return (blocks.sum - blocks.prior).topLeftCorner(size_, size_);
   }
 
-  // derivatives of the deviations from the data sheet with respect to the model parameters
-  Eigen::MatrixXd departures_;
+  Eigen::MatrixXd departures_;  // derivatives of data-sheet deviations with respect to the model parameters
   const std::vector<fit::Candidate>& candidates_;
   Eigen::Index model_;
   Eigen::Index size_;
@@ -126,8 +123,7 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
   const Projected alone(fitter, screening, {});
   const std::size_t candidates = screening.candidates().size();
   std::vector<Fitted> fitted;
-  // null for a candidate without per-log nuisance parameters
-  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);
+  std::vector<std::unique_ptr<const Projected>> beside_free(candidates);  // null without per-log nuisance parameters
   std::vector<Implant> implants;
   std::vector<Eigen::Index> column_of;
   for (std::size_t c = 0; c < candidates; ++c) {

@@ -20,14 +20,12 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// Returns the mean square of a force after removal of possible errors of the rig, divided by the variance of the force
-// of the record.
+// Returns the mean square of a force without errors of the rig, divided by the variance of the record's force.
 double meanSquare(const gap::PreparedRecord& record, const Eigen::VectorXd& force) {
   return record.withoutRig(force).squaredNorm() / record.counted() / std::pow(record.force_deviation, 2);
 }
 
-// Returns the part of the squared residual of a log that the nuisance parameters `free` explain in addition to
-// `others`.
+// Returns the squared residual of a log that the nuisance parameters `free` explain in addition to `others`.
 double takenInLog(const fit::PerLogNuisances& free, const fit::PerLogNuisances& others,
                   const gap::PreparedRecord& record, const Eigen::VectorXd& simulated) {
   const Eigen::VectorXd residual = record.force - simulated;
@@ -37,8 +35,7 @@ double takenInLog(const fit::PerLogNuisances& free, const fit::PerLogNuisances& 
   return std::max(0.0, left(others) - left(free | others));
 }
 
-// Returns the mean square of a force, divided by the variance of the force of the record. For an effect of the rubber,
-// the mean of the force is removed first, because an offset would absorb it.
+// Returns the size of a force. For an effect of the rubber the mean is removed, because an offset would absorb it.
 double sizeOf(const log::Record& record, const Eigen::VectorXd& force, bool on_rig) {
   const Eigen::VectorXd counts = record.counts.size() > 0 ? record.counts : Eigen::VectorXd::Ones(record.size());
   const double mean = on_rig ? 0.0 : force.dot(counts) / record.counted();
@@ -61,8 +58,7 @@ std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::Pe
   return sizes;
 }
 
-// Returns the hypothesis with the least error on the logs of the fit. Hypotheses with trends are ignored, because
-// trends absorb slow noise.
+// Returns the hypothesis with the least error on the logs of the fit, except for trends, which absorb slow noise.
 const FittedHypothesis& bestOf(const Search& search) {
   const FittedHypothesis* best = &search.re_estimated;
   for (const FittedHypothesis* fitted : search.withEffects()) {
@@ -71,8 +67,7 @@ const FittedHypothesis& bestOf(const Search& search) {
   return *best;
 }
 
-// Returns the standard error of the logarithm of the noise floor of a record, which is estimated from the noise floors
-// of three parts of the record.
+// Returns the standard error of the logarithm of a record's noise floor, from the noise floors of its three parts.
 double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
   constexpr Eigen::Index kParts = 3;
   const Eigen::VectorXd left = record.withoutRig(residual);

@@ -10,15 +10,13 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Returns the parameters of a fitted hypothesis in which the scales of one effect are 0. `member` is the index of the
-/// effect in fit::Hypothesis::members.
+/// Returns the parameters of a fitted hypothesis with the scales of its effect with the index `member` set to 0.
 fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t member);
 
 /// Returns, for each effect of a fitted hypothesis and each record, the mean square of the force that the effect adds,
-/// divided by the variance of the force of the record. This is the force with the effect minus the force without it, at
-/// the fitted values of all other parameters. If the effect is one of the rubber, the mean of this difference is
-/// removed, because an offset would absorb it. The squared residual that per-log nuisance parameters of the effect
-/// absorb is added.
+/// divided by the variance of the record's force. The added force is the difference from the force without the effect,
+/// with all other parameters as fitted. For effects of the rubber its mean is removed, because an offset would absorb
+/// it. The squared residual that the effect's per-log nuisance parameters absorb is added.
 std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& candidates,
                                              const fit::HypothesisForces& forces, const FittedHypothesis& fitted);
 
@@ -26,8 +24,7 @@ std::vector<std::vector<double>> memberSizes(const std::vector<fit::Candidate>& 
 /// of the fit, because noise belongs to the measurement and not to the named effects.
 std::vector<double> floorsOfUnseen(const PreparedCase& prepared, const Search& search);
 
-/// Returns the evidence of a search whose noise floors are known. The logs of the fit are followed by the held-out
-/// logs.
+/// Returns the evidence of a search with known noise floors: the logs of the fit, followed by the held-out logs.
 judge::Evidence evidenceOfLogs(const PreparedCase& prepared, const Search& search, int threads);
 
 /// Returns the fractions of the energy of evenly spaced samples in the mean and in each octave of frequency. The first

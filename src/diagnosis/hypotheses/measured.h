@@ -27,8 +27,7 @@ class Measured {
 
   virtual fit::Excitation excitation() const = 0;
 
-  /// Returns the candidates with the simulated forces of their terms. Candidates that such a measurement can never show
-  /// have no terms.
+  /// Returns the candidates with their simulated forces. Candidates that such a measurement never shows have no terms.
   virtual std::vector<fit::Candidate> candidates(const fit::Excitation& excitation,
                                                  const FittedHypothesis& re_estimated, int threads) const = 0;
 

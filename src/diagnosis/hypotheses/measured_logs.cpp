@@ -19,8 +19,7 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// Returns the least gap of any hypothesis on the held-out blocks of all logs. Hypotheses with trends are ignored,
-// because trends absorb slow noise.
+// Returns the least held-out gap of any hypothesis on all logs, except for trends, which absorb slow noise.
 double leastLeft(const Search& search) {
   double least = search.re_estimated.fit.held_out;
   for (const FittedHypothesis* fitted : search.withEffects()) {

@@ -9,9 +9,8 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Returns the elements with all dashpots changed to order 2, which interpolates the displacement smoothly. Returns an
-/// empty list if there is no dashpot. Other dashpots assume a displacement that is linear between samples, so that
-/// their force lags by half a time step, which looks like a delay.
+/// Returns the elements with dashpots of order 2, which interpolate the displacement smoothly, or an empty list without
+/// dashpots. Other dashpots lag by half a time step, which looks like a delay.
 std::vector<element::ElementDescription> withSmoothDashpots(std::vector<element::ElementDescription> elements);
 
 /// Logs to which hypotheses are fitted. The fitter has to outlive this object.
@@ -31,9 +30,8 @@ class MeasuredLogs final : public Measured {
   fit::Fitter& fitter_;
 };
 
-/// Returns a search without fits for a plan. Candidates are added to logs that are simulated with the configured
-/// component. `noise` is the standard deviation of white noise in the logs divided by that of the force. Must not be
-/// called during a fit.
+/// Returns a search without fits, for a plan: candidates are added to logs simulated with the configured component.
+/// `noise` is the RMS noise of the logs divided by the standard deviation of the force. Not to be called during a fit.
 Search implanted(fit::Fitter& fitter, double noise, int threads);
 
 }  // namespace rubber_suspension::diagnosis::hypotheses

@@ -10,9 +10,8 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Log weights like those of the judgement (judge/score.h), with two differences. The error is that of all logs
-/// together, and the form error is a share of the squared error that the effects remove, not of the force that they
-/// add.
+/// Log weights like those of the judgement (judge/score.h), but from the error on all logs together, and with a form
+/// error that is a share of the error that effects remove, not of the force that they add.
 class Odds {
  public:
   /// `floor` is the noise floor of all logs, and `without` is the error of the model without effects. Both are divided
@@ -28,8 +27,7 @@ class Odds {
   /// Returns the log weight of a hypothesis with these scales. `error` is fit::Fit::score() or a comparable gap.
   double of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const;
 
-  /// Returns the log weight that a set of this number of effects would have if its error were the noise floor and its
-  /// effects had the usual rate.
+  /// Returns the log weight of a set of this number of effects of usual rate whose error is the noise floor.
   double mostOf(std::size_t effects) const;
 
  private:

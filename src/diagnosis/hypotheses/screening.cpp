@@ -196,8 +196,7 @@ std::vector<Visibility> Screening::visibility(double noise) const {
   return result;
 }
 
-// Sorts all sets by their error on the blocks of the fit, and then sorts the best of them by their error on held-out
-// blocks.
+// Sorts sets by their error on the blocks of the fit, then the best of them by their error on held-out blocks.
 std::vector<Screened> Screening::screenAll(const std::vector<std::vector<int>>& sets) const {
   constexpr std::size_t kHeldOut = 16;
   std::vector<Screened> result(sets.size());

@@ -38,9 +38,8 @@ class Screening {
   /// Adds each of these candidates to a set and screens the results. Returns the best sets, sorted by error.
   std::vector<Screened> additions(const std::vector<int>& candidates, const std::vector<int>& members) const;
 
-  /// Replaces each effect of a set by the candidates that its law contains, because these may explain the logs almost
-  /// as well with fewer parameters. Screens those of the resulting sets that have `effects` members. Returns the best
-  /// ones, sorted by error.
+  /// Replaces each effect of a set by candidates that its law contains, which may explain the logs almost as well with
+  /// fewer parameters. Returns the best of the resulting sets with `effects` members, sorted by error.
   std::vector<Screened> withContained(const std::vector<int>& candidates, const std::vector<int>& members,
                                       std::size_t effects) const;
 
@@ -74,7 +73,6 @@ class Screening {
     return (free.trend ? 1U : 0U) + (free.offset ? 2U : 0U) + (free.gain ? 4U : 0U);
   }
   Part partOf(const std::vector<int>& members) const;
-  /// Returns the columns of the terms of a hypothesis.
   std::vector<Eigen::Index> columnsOf(const fit::Hypothesis& hypothesis) const;
   void preferLawsAtWork(const fit::Hypothesis& about);
   /// Returns true if a candidate may be added to a set: it contains no effect of the set, and none contains it.

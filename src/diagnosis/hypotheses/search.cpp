@@ -26,19 +26,16 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kBaseIterations = 40;
-// largest number of pairs, and of triples, that are fitted in one stage of the search
-constexpr std::size_t kMostOfOneSize = 8;
-constexpr std::size_t kMostStarts = 3;  // largest number of hypotheses to which further effects are added
-constexpr std::size_t kAtOnce = 4;      // number of sets that are fitted before the remaining ones are compared again
+constexpr std::size_t kMostOfOneSize = 8;  // pairs, and triples, that are fitted in one stage of the search
+constexpr std::size_t kMostStarts = 3;     // largest number of hypotheses to which further effects are added
+constexpr std::size_t kAtOnce = 4;  // number of sets that are fitted before the remaining ones are compared again
 constexpr std::size_t kMostEffects = 3;
 // A set is neither fitted nor extended if its log odds are lower than those of the best set by more than kWithinReach.
 // For odds that are screened, kScreeningKnown is added, because screening linearises the laws.
 constexpr double kWithinReach = 4.6;
 constexpr double kScreeningKnown = 2.3;
-// log odds; larger sets are fitted only if they could be at least a tenth as likely as the best one
-constexpr double kWorthAFit = 2.3;
-// A fit is abandoned if the error that it promises is larger by this factor than the least screened error of sets of
-// its size.
+constexpr double kWorthAFit = 2.3;  // larger sets are fitted if they could be a tenth as likely as the best (log odds)
+// A fit is abandoned if the error that it promises exceeds the least screened error of its size by this factor.
 constexpr double kHopeless = 2.0;
 
 // A set of effects that may be worth a fit, and the parameters from which this fit starts.
@@ -217,8 +214,7 @@ class Searcher {
     }
   }
 
-  // Continues fits whose gap is larger than their gap on held-out blocks by more than chance explains. The iterations
-  // of these fits ended too early.
+  // Continues fits whose gap exceeds their held-out gap by more than chance, because they ended too early.
   void endFits() {
     std::vector<FittedHypothesis*> begun = {&result_.re_estimated};
     for (std::vector<FittedHypothesis>* list : {&result_.singles, &result_.pairs, &result_.triples}) {
@@ -242,8 +238,7 @@ class Searcher {
     tryFactors(list);
   }
 
-  // Fits hypotheses in which the law of one effect follows a curve. Each replaces the hypothesis of the list without
-  // this curve if that is less likely.
+  // Fits each effect's law along a curve, and keeps a fit if it is likelier than the one without a curve.
   void tryCurve(std::vector<FittedHypothesis>& list) {
     std::vector<OtherLaw> straight;
     for (FittedHypothesis& fitted : list) {
@@ -267,8 +262,7 @@ class Searcher {
     takeLikelier(straight, list);
   }
 
-  // Fits friction with a separate factor for each log. Each fit replaces the hypothesis of the list without factors if
-  // that is less likely.
+  // Fits friction with a factor for each log, and keeps a fit if it is likelier than the one without factors.
   void tryFactors(std::vector<FittedHypothesis>& list) {
     std::vector<OtherLaw> with;
     for (FittedHypothesis& fitted : list) {
@@ -335,8 +329,7 @@ class Searcher {
     return fit::makeHypothesis(result_.candidates, hypothesis.members, hypothesis.held, curved);
   }
 
-  // Finds one curve for all laws that may follow a curve. Returns false if it improves this hypothesis by less than its
-  // cost.
+  // Finds one curve for all laws that may follow one. Returns false if its cost exceeds its gain for this hypothesis.
   bool findCurve(const FittedHypothesis& about, int member) {
     if (hasCurve()) {
       return true;
@@ -361,7 +354,6 @@ class Searcher {
     return true;
   }
 
-  // Returns true if a curve has been found, so that candidates have terms along it.
   bool hasCurve() const {
     return std::any_of(result_.candidates.begin(), result_.candidates.end(),
                        [](const fit::Candidate& candidate) { return !candidate.curved.empty(); });
@@ -387,7 +379,6 @@ class Searcher {
     return oddsAt(result_, floor).of(fitted.hypothesis, fitted.fit.parameters.scales, fitted.fit.score());
   }
 
-  // Returns the competing fit with the least error.
   const FittedHypothesis* bestOfAll() const {
     const FittedHypothesis* best = &result_.re_estimated;
     for (const FittedHypothesis* fitted : result_.withEffects()) {
@@ -471,8 +462,7 @@ class Searcher {
     return plan;
   }
 
-  // Fits the planned sets that could be as likely as the best one, several at a time. Returns false if no set was
-  // fitted.
+  // Fits the planned sets that could be as likely as the best, several at a time. Returns false if there are none.
   bool fitSets(const Screening& about_model, std::size_t effects, std::vector<FittedHypothesis>& list) {
     const auto [planned, floor] = planFits(about_model, effects);
     const std::size_t most = std::min(kMostOfOneSize, planned.size());
@@ -577,7 +567,6 @@ class Searcher {
 
   bool competes(const FittedHypothesis& fitted) const { return result_.competes(fitted.hypothesis, excluded_); }
 
-  // Returns the candidates from which sets are formed.
   std::vector<int> competing() const {
     std::vector<int> competing;
     for (int c = 0; c < static_cast<int>(result_.candidates.size()); ++c) {

@@ -1,5 +1,4 @@
-// The search over sets of effects: all single effects, then the likeliest pairs and triples, as long as a larger set
-// could be more likely.
+// The search over sets of effects: all single effects, then pairs and triples, as long as more effects may be likelier.
 #pragma once
 
 #include <functional>
@@ -35,7 +34,6 @@ struct Noise {
   std::string source;
 };
 
-/// Visibility of a candidate in the logs.
 struct Visibility {
   double share = 0.0;     ///< part of its force that re-estimated model parameters do not absorb [-]
   bool testable = false;  ///< an effect of typical size would be visible in these logs
@@ -45,16 +43,14 @@ struct Visibility {
 struct Search {
   fit::Excitation excitation;
   std::vector<fit::Candidate> candidates;
-  /// effects that are excluded; they are fitted to obtain the probability that they would have otherwise
-  std::vector<std::string> excluded;
-  bool guess = false;           ///< the data sheet is a guess
-  double configured_gap = 0.0;  ///< gap of the model as configured, without any fit
+  std::vector<std::string> excluded;  ///< excluded effects, fitted for the probability that they would have otherwise
+  bool guess = false;                 ///< the data sheet is a guess
+  double configured_gap = 0.0;        ///< gap of the model as configured, without any fit
   /// The model with its configured parameters. Everything else in its fit is copied from the re-estimated model.
   FittedHypothesis as_configured;
   FittedHypothesis re_estimated;          ///< the model with fitted parameters, without effects
   std::vector<FittedHypothesis> singles;  ///< a hypothesis for each candidate, in the order of the candidates
-  /// the pairs that are worth a full fit according to the screening, sorted by error
-  std::vector<FittedHypothesis> pairs;
+  std::vector<FittedHypothesis> pairs;    ///< pairs worth a full fit according to the screening, sorted by error
   std::vector<FittedHypothesis> triples;
   double surrogate_gap = 0.0;   ///< held-out gap with all candidates at once, as for a flexible fit
   double discretisation = 0.0;  ///< gap that the lag of dashpots causes at the time steps of the logs
@@ -68,17 +64,14 @@ struct Search {
   /// Returns the singles, pairs and triples in the order of the evidence.
   std::vector<const FittedHypothesis*> withEffects() const;
 
-  /// Returns true if a hypothesis competes with others (fit::Hypothesis::competes()) and contains none of the effects
-  /// in `without`.
+  /// Returns true if a hypothesis competes (fit::Hypothesis::competes()) and contains none of the effects `without`.
   bool competes(const fit::Hypothesis& hypothesis, const std::vector<std::string>& without) const;
 
-  /// Returns the hypothesis other than `one` that is likeliest according to its error on all logs. It may be the model
-  /// without effects.
+  /// Returns the hypothesis, possibly the model without effects, that is likeliest on all logs apart from `one`.
   const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
 };
 
-/// Returns the evidence of a search without the logs and without the errors and sizes on each log, which
-/// evidenceOfLogs() or the diagnosis of a table adds.
+/// Returns the evidence of a search without the logs, errors and sizes, which evidenceOfLogs() or a table adds.
 judge::Evidence evidenceOf(const Search& search);
 
 /// Returns evidence that describes the candidates only, without hypotheses and exclusions.
@@ -89,8 +82,7 @@ using ProgressCallback = std::function<void(const std::string&, double)>;
 
 class Measured;
 
-/// Returns the effects that the component file or the options exclude. Throws std::invalid_argument if the options name
-/// an unknown effect.
+/// Returns the excluded effects. Throws std::invalid_argument if the options exclude an unknown effect.
 std::vector<std::string> excludedEffects(const io::ComponentDescription& component, const DiagnosisOptions& options);
 
 /// Fits hypotheses to a measurement on `threads` threads. If effects are excluded, the search first fits the hypotheses

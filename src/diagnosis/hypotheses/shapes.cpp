@@ -24,8 +24,7 @@ struct Shape {
   double step = 0.0;        // ratio of the next values to `best`
 };
 
-// Computes the errors at several values together, because the derivatives for the model and for contained effects are
-// the same for all values.
+// Tries several values together, because they share the derivatives for the model and for contained effects.
 void lookAt(const std::vector<std::pair<Shape*, double>>& looks, const fit::HypothesisFitter& fitter,
             const FittedHypothesis& re_estimated, const std::vector<gap::PreparedRecord>& records,
             const std::vector<fit::Candidate>& contained, int threads) {
@@ -151,8 +150,7 @@ CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis&
   std::vector<fit::Curve> curves = {{1.0, 0.0}, {2.5, 0.0}, {6.0, 0.0}, {3.0, 1.0}, {3.0, -1.0}};
   CurveLook best;
   best.left = HUGE_VAL;
-  // ratio of the growth of the next curves to that of the best one, half the spacing on a logarithmic axis
-  double step = 1.6;
+  double step = 1.6;  // ratio of the growth of the next curves, half the spacing on a logarithmic axis
   for (int refinement = 0; refinement <= kRefinements; ++refinement) {
     const std::vector<double> left = leftAlong(curves);
     const auto least = std::min_element(left.begin() + 1, left.end());

@@ -19,8 +19,7 @@ constexpr double kClearlyBetter = 0.99;  // largest ratio of the scores of a cle
 // Change of the logarithm of a model parameter above which a fit also starts from the configured values.
 constexpr double kFar = 0.2;
 
-// Returns the number of iterations in which a parameter can move from its specified value to its bound, or
-// kLeastIterations if that is larger.
+// Returns the number of iterations in which a parameter can reach its bound, at least kLeastIterations.
 int singleIterations(const fit::HypothesisFitter& fitter) {
   const double farthest = std::log(fitter.model().largestRatio());
   return std::max(kLeastIterations, static_cast<int>(std::ceil(farthest / fit::kLongestStep)));
@@ -82,8 +81,7 @@ std::vector<bool> mayMove(const FittedHypothesis& from, const fit::Hypothesis& h
   return active;
 }
 
-// Returns a start that has the model parameters of another fit and the scales of the terms that both hypotheses
-// contain.
+// Returns a start with the model parameters of another fit and the scales of the terms that both contain.
 fit::ParameterVector taken(const fit::HypothesisFitter& fitter, const FittedHypothesis& from,
                            const fit::Hypothesis& hypothesis) {
   fit::ParameterVector start = fitter.configured(hypothesis);

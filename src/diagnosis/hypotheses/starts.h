@@ -16,8 +16,7 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
                const fit::ParameterVector& start, double reach, FittedHypothesis& single);
 
 /// Fits one gain of all logs together with the configured values. If gains may differ between logs, also fits a gain
-/// for each log together with free values. The latter replaces the common gain only if it is clearly better than the
-/// common gain and than re-estimated values without gains.
+/// for each log with free values, and keeps this fit if it is clearly better than one gain and than free values alone.
 void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
               FittedHypothesis& single);
 
@@ -29,8 +28,7 @@ void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& fro
 /// Fits a hypothesis from a fit whose terms it contains, so that its error on the data of the fit is not larger.
 void fitBeyond(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, FittedHypothesis& larger);
 
-/// Returns a fitted hypothesis with a factor on the friction of each log. It is not refitted if its gap exceeds
-/// `reach`.
+/// Returns a fitted hypothesis with a factor on the friction of each log, refitted if its gap is at most `reach`.
 FittedHypothesis withFactors(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, double reach);
 
 /// Fits a hypothesis in which the law of one effect follows a curve. The fit starts from the parameters of `from`.

@@ -13,7 +13,6 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Errors of predictions on parts of logs that took no part in the fit.
 using UnseenErrors = std::vector<gap::PartError>;
 
 /// Returns the force of a fitted hypothesis on records, each of which is of a new component [N]. The displacement is
@@ -30,8 +29,7 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
                           const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records);
 
-/// Returns the force of the friction of a component on records, each of which is of a new component
-/// (fit::frictionOf()).
+/// Returns the friction force of a component on records, each of a new component (fit::frictionOf()).
 fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
                                 const std::vector<gap::PreparedRecord>& records);
 
@@ -47,9 +45,8 @@ std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::v
 /// gains, which are not noise, but not trends, which would absorb slow noise.
 fit::PerLogNuisances freeOfNoise(const fit::Hypothesis& hypothesis);
 
-/// Returns the noise floor of each record. This is the noise in the residual of a component after removal of `free`, up
-/// to a limit. If noise of the displacement causes a larger error in the friction of the component, the floor is this
-/// error, up to the residual itself.
+/// Returns the noise floor of each record: the noise in the residual after removal of `free`, up to a limit. It is
+/// larger if noise of the displacement causes a larger error of the friction, but at most the residual.
 std::vector<double> noiseFloors(const std::vector<element::ElementDescription>& elements,
                                 const fit::PerLogNuisances& free, const gap::Forces& simulated,
                                 const std::vector<gap::PreparedRecord>& records, const measurement::NoiseLimit& limit);

@@ -67,7 +67,6 @@ struct Workings {
     judgeAgain();
   }
 
-  /// Derives the table and the answer from the evidence.
   void judgeAgain() {
     table = judge::scoreTable(evidence);
     answer = judge::answer(table);

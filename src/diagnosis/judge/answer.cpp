@@ -8,8 +8,7 @@
 namespace rubber_suspension::diagnosis::judge {
 namespace {
 
-// smallest fraction of the probability of all sets for which the likeliest set is not confounded
-constexpr double kMajority = 0.5;
+constexpr double kMajority = 0.5;       // share of the probability of all sets, below which the likeliest is confounded
 constexpr double kWorthListing = 0.02;  // sets that contain a less probable effect are not listed
 
 std::vector<int> largestFirst(const SetProbability& set) {

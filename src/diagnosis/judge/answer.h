@@ -9,8 +9,7 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// Listed explanations together have at least this probability. An explanation that has it alone is the only one
-/// listed.
+/// Probability that lists of explanations cover. An explanation with at least this probability is listed alone.
 constexpr double kListed = 0.9;
 
 /// An explanation of the logs: a set of effects (`named`), wrong values, no gap, or an unlisted cause (`unknown`).
@@ -21,7 +20,6 @@ struct Explained {
   double probability = 0.0;
 };
 
-/// The verdict and its probability.
 struct Answer {
   Verdict verdict = Verdict::none;
   std::vector<int> effects;            ///< named effects, sorted by the size of their forces, the largest first
@@ -29,11 +27,9 @@ struct Answer {
   double probability = 0.0;  ///< probability of the verdict; if effects are named, of the set of these effects
   double beside = 0.0;  ///< fraction of the probability of the named set for which an unlisted cause is also at work
   Posterior posterior;  ///< probabilities of the four answers
-  std::vector<double> candidates;  ///< for each effect: probability that it is at work
-  /// Sets of effects that together have 90 % of the probability of all sets, the likeliest first.
-  std::vector<std::vector<int>> confounded;
-  /// Likeliest other explanations; together with the answer they have a probability of 90 %.
-  std::vector<Explained> alternatives;
+  std::vector<double> candidates;            ///< for each effect: probability that it is at work
+  std::vector<std::vector<int>> confounded;  ///< likeliest sets, with 90 % of the probability of all sets
+  std::vector<Explained> alternatives;       ///< likeliest other explanations, 90 % together with the answer
 };
 
 /// Returns the answer that follows from a posterior. If all sets of effects together are likelier than any other

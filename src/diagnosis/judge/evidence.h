@@ -1,5 +1,4 @@
-// The evidence for the judgement: plain numbers from the fits, so that the judgement needs neither logs nor
-// simulations.
+// The evidence for the judgement: plain numbers, so that the judgement needs neither logs nor simulations.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +14,7 @@ namespace rubber_suspension::diagnosis::judge {
 struct HypothesisEvidence {
   std::vector<int> members;  ///< indices of the effects of the hypothesis, ascending
   std::size_t terms = 0;     ///< number of basis terms of these effects; 0 if the logs lack what the effects need
-  /// Number of parameters that the laws of the members have in addition to the laws that they contain
-  /// (fit::numbersBeyond()), without parameters at their limits.
+  /// Number of parameters of the laws in use beyond the laws that they contain (fit::numbersBeyond()).
   std::size_t beyond = 0;
   fit::PerLogNuisances free_in_log;  ///< parameters that are free in each log
   bool idle = false;          ///< an effect removes no more than chance would, so that the hypothesis is inadmissible
@@ -54,14 +52,12 @@ struct Evidence {
   std::vector<bool> constant;        ///< for each effect: it adds a constant force, for which there is no form error
   /// For each effect: the effects that its law contains, because they are limits of this law.
   std::vector<std::vector<int>> contains;
-  bool guess = false;  ///< the data sheet is a guess, so that the model as configured is inadmissible
-  /// for each effect: no hypothesis that contains it is admissible; empty if no effect is excluded
-  std::vector<bool> excluded = {};
+  bool guess = false;               ///< the data sheet is a guess, so that the model as configured is inadmissible
+  std::vector<bool> excluded = {};  ///< for each effect: its hypotheses are inadmissible; empty if none is excluded
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
 
-  /// Returns true if the values of a hypothesis are nearer to the data sheet than the values that are re-estimated
-  /// without effects.
+  /// Returns true if a hypothesis has values nearer to the data sheet than those re-estimated without effects.
   bool isNearerToTheSheet(int hypothesis) const { return at(hypothesis).chi_squared < at(kReEstimated).chi_squared; }
 };
 

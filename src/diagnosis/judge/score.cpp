@@ -61,8 +61,7 @@ void fillBands(const Evidence& evidence, ScoreTable& table) {
   }
 }
 
-// Distributes a residual over the bands in proportion to its shares, or to the weights of the bands if it has no
-// shares.
+// Distributes a residual over the bands by its shares, or by the weights of the bands if it has no shares.
 void fillInBands(const HypothesisEvidence& hypothesis, Index row, ScoreTable& table) {
   for (std::size_t b = 0; b < table.bands.size(); ++b) {
     const Band& band = table.bands[b];
@@ -96,8 +95,7 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
     const auto member = static_cast<std::size_t>(hypothesis.members[m]);
-    // a gain of all logs equals a change of the values
-    const bool exact = evidence.constant[member] || hypothesis.keeps_values;
+    const bool exact = evidence.constant[member] || hypothesis.keeps_values;  // a gain of all logs equals other values
     if (!exact) {
       (evidence.one_form[member] ? table.added_of_one : table.added).row(row) += squares.transpose();
     }
@@ -168,8 +166,7 @@ double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::siz
          numbers.per_offset * inAllLogs(free.offset) - numbers.per_gain * inAllLogs(free.gain || free.by_factor);
 }
 
-// Returns the log prior of the values, by Student's t. Values far from the data sheet are improbable, however well they
-// fit.
+// Returns the log prior of the values by Student's t: values far from the data sheet are improbable.
 double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const double chi_squared = table.departure[static_cast<Index>(hypothesis)] / std::pow(numbers.sheet_scale, 2);
   return -0.5 * (numbers.sheet_tails + 1.0) * std::log1p(chi_squared / numbers.sheet_tails);

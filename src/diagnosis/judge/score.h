@@ -25,29 +25,23 @@ struct ScoreTable {
   std::vector<std::string> effects;
   std::vector<bool> constant;  ///< for each effect: it adds a constant force
   std::vector<std::vector<int>> members;
-  /// for each hypothesis: number of mechanisms of all its effects (mechanismsOf())
-  std::vector<std::size_t> mechanisms;
-  Eigen::ArrayXXd errors;        ///< squared errors
-  Eigen::ArrayXXd left;          ///< squared errors minus the squared noise floor
-  Eigen::ArrayXXd added;         ///< squared forces of the effects whose law has several forms
-  Eigen::ArrayXXd added_of_one;  ///< squared forces of the effects whose law has one form
-  Eigen::ArrayXXd in_bands;      ///< part of `left` in each band, divided by the share of the band
-  Eigen::ArrayXd departure;      ///< for each hypothesis: chi^2 of the deviations from the data sheet
-  /// for each hypothesis: parameters in addition to those of contained laws (HypothesisEvidence::beyond)
-  Eigen::ArrayXd beyond;
+  std::vector<std::size_t> mechanisms;  ///< for each hypothesis: mechanisms of all its effects (mechanismsOf())
+  Eigen::ArrayXXd errors;               ///< squared errors
+  Eigen::ArrayXXd left;                 ///< squared errors minus the squared noise floor
+  Eigen::ArrayXXd added;                ///< squared forces of the effects whose law has several forms
+  Eigen::ArrayXXd added_of_one;         ///< squared forces of the effects whose law has one form
+  Eigen::ArrayXXd in_bands;             ///< part of `left` in each band, divided by the share of the band
+  Eigen::ArrayXd departure;             ///< for each hypothesis: chi^2 of the deviations from the data sheet
+  Eigen::ArrayXd beyond;                ///< for each hypothesis: parameters beyond those of contained laws
   std::vector<fit::PerLogNuisances> free_in_log;
-  /// the hypothesis interprets wrong values as an effect (HypothesisEvidence::keeps_values)
-  std::vector<bool> another_reading;
-  /// Logarithm of the size of each effect over all logs. For wrong values: of the residual that corrected values
-  /// remove.
+  std::vector<bool> another_reading;  ///< the hypothesis interprets wrong values as an effect (keeps_values)
+  /// Logarithm of the size of each effect over all logs; for wrong values, that of the error which they cause.
   std::vector<std::vector<double>> sizes;
-  /// Logarithm of the size that each effect removes in addition to the best effect that its law contains. Infinite if
-  /// its law contains none that was fitted.
+  /// Logarithm of the size that each effect removes beyond the best effect that its law contains; infinite if none.
   std::vector<std::vector<double>> sizes_beyond;
-  /// `left` without effects, over all logs, for configured or re-estimated values, whichever leave less
-  double by_values = 0.0;
-  bool guess = false;    ///< the model as configured is inadmissible
-  Eigen::ArrayXd floor;  ///< squared noise floor of each log, at most the least squared error of any hypothesis
+  double by_values = 0.0;  ///< `left` over all logs with configured or re-estimated values, the smaller
+  bool guess = false;      ///< the model as configured is inadmissible
+  Eigen::ArrayXd floor;    ///< squared noise floor of each log, at most the least squared error of any hypothesis
   Eigen::ArrayXd floor_uncertainty;  ///< standard error of the logarithm of the floor of each log
   Eigen::ArrayXd weight;             ///< weight of each log; the weights add up to 1
   std::vector<Band> bands;           ///< describes the columns of `in_bands`
@@ -82,8 +76,7 @@ double usualSize(const ScoreTable& table, const JudgeNumbers& numbers);
 /// force. Below ln(usual) its prior is that of a normal distribution with standard deviation `spread`; above, it is 0.
 double priorOfSizes(const std::vector<double>& sizes, double usual, double spread);
 
-/// Returns the cost ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)) of a squared residual r^2 = `left` where s^2 = `expected`;
-/// nu is the number `tails`.
+/// Returns the cost ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2)) with r^2 = `left`, s^2 = `expected` and nu = `tails`.
 double lossOf(double left, double expected, const JudgeNumbers& numbers);
 
 /// Logarithms of the weights of each hypothesis without an unlisted cause (`alone`) and with one (`beside`).
@@ -94,14 +87,12 @@ struct LogWeights {
 
 /// Returns the log weights of all hypotheses. Let r^2 be the squared residual of a hypothesis beyond the noise floor
 /// sigma of a log. Its expected value is s^2 = (b sigma)^2 + delta^2 + sum of (eta A)^2, with the RMS force A of each
-/// effect and the numbers b = floor_known, delta = accepted and eta = form_error.
-/// Without an unlisted cause, the log weight is that of Student's t with nu = tails degrees of freedom: -kappa/2 times
-/// the sum over the logs of w (ln s^2 + (nu + 1) ln(1 + r^2/(nu s^2))), where w is the weight of the log. With an
-/// unlisted cause of unknown size and spectrum, it is -kappa/2 times the sum over logs and bands of w p (ln max(r^2
-/// q/p, s^2) + 1) (Whittle's likelihood). Here p is the share of the band in the weight of its log, and q its share of
-/// the squared residual.
-/// To either weight, the log priors of the set of effects, of their sizes, of the free parameters, and of the
-/// deviations from the data sheet are added.
+/// effect and the numbers b = floor_known, delta = accepted and eta = form_error. Without an unlisted cause, the log
+/// weight is that of Student's t with nu = tails: -kappa/2 times the sum over logs of w (ln s^2 + (nu + 1) ln(1 +
+/// r^2/(nu s^2))), where w is the weight of the log. With an unlisted cause of unknown size and spectrum it is -kappa/2
+/// times the sum over logs and bands of w p (ln max(r^2 q/p, s^2) + 1), where p is the share of the band in w and q in
+/// the squared residual (Whittle's likelihood). Both include the log priors of the set, sizes, free parameters and
+/// deviations from the data sheet.
 LogWeights logWeights(const ScoreTable& table, const JudgeNumbers& numbers);
 
 }  // namespace rubber_suspension::diagnosis::judge

@@ -57,8 +57,7 @@ SetPosterior toldByHalving(SetPosterior posterior) {
 SetPosterior setPosterior(const ScoreTable& table, const JudgeNumbers& numbers) {
   LogWeights weights = logWeights(table, numbers);
   const double most = std::max(weights.alone.maxCoeff(), weights.beside.maxCoeff());
-  // returns 0 for minus infinity
-  const auto overMost = [most](double logarithm) { return std::exp(logarithm - most); };
+  const auto overMost = [most](double logarithm) { return std::exp(logarithm - most); };  // 0 for minus infinity
   weights.alone = weights.alone.unaryExpr(overMost).eval();
   weights.beside = weights.beside.unaryExpr(overMost).eval();
   const double all = weights.alone.sum() + weights.beside.sum();

@@ -7,7 +7,6 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
-/// A set of effects and its probabilities.
 struct SetProbability {
   std::vector<int> members;
   int hypothesis = 0;   ///< index of the hypothesis in the evidence
@@ -30,9 +29,8 @@ struct SetPosterior {
   double ofSets() const;
 };
 
-/// Returns true if the squared error of a hypothesis, averaged over the logs with their weights, is at most half of
-/// that of re-estimated values without effects. Returns false for inadmissible hypotheses, such as those that contain
-/// an excluded effect.
+/// Returns true if the squared error of a hypothesis on all logs is at most half of that of re-estimated values alone.
+/// Returns false for inadmissible hypotheses, such as those that contain an excluded effect.
 bool halvesWhatIsLeft(const ScoreTable& table, Eigen::Index hypothesis);
 
 /// Returns a posterior in which `unknown` is 0 if any set halves the squared error of re-estimated values, because

@@ -111,7 +111,7 @@ Rest leftBy(const Points& points, int in_frequency, int in_amplitude) {
   return {left.values.squaredNorm(), static_cast<int>(rows - left.rank)};
 }
 
-// Returns the least residual per degree of freedom of any polynomial, for rows of one preload and temperature.
+// Returns the residual of the polynomial with the least residual per degree of freedom, for rows of one condition.
 Rest smoothRest(const Points& points) {
   const auto frequencies = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.frequency; }));
   const auto amplitudes = static_cast<int>(levelsOf(points, [](const fit::TablePoint& p) { return p.amplitude; }));
@@ -186,8 +186,7 @@ std::vector<fit::Candidate> MeasuredRows::candidates(const fit::Excitation& exci
       candidate.terms.clear();
       candidate.free_in_log = {};
     }
-    // A loop about its mean does not distinguish the two sides. Its first harmonic is the same for damping that grows
-    // towards one side and for a dashpot.
+    // A loop about its mean has the same first harmonic for damping that grows towards one side and for a dashpot.
     candidate.terms.erase(std::remove_if(candidate.terms.begin(), candidate.terms.end(),
                                          [](const fit::BasisTerm& term) { return term.of_a_side; }),
                           candidate.terms.end());

@@ -18,15 +18,12 @@ struct Scatter {
   std::string source;
 };
 
-/// Returns one noise level for all rows. It is taken from the first of these sources that is available:
-/// 1. the stated uncertainty,
-/// 2. repeated rows,
-/// 3. for a table with temperatures, the residual of a master curve that is shifted along both axes, because the rows
-/// of one temperature have a common error,
-/// 4. the residual of a polynomial in the logarithms of frequency and amplitude that is fitted to ln K*,
-/// 5. an assumed level of 1 %.
-/// A level from a residual is at most 3 %, because the residual of a rougher table may be due to an unlisted effect.
-/// Estimates from few rows may be too low by chance, so the level is the upper end of a one-sided 84 % interval.
+/// Returns one noise level for all rows, from the first source that is available: the stated uncertainty, repeated
+/// rows, the residual of a master curve (for tables with temperatures), the residual of a polynomial in the logarithms
+/// of frequency and amplitude that is fitted to ln K*, or an assumed level of 1 %. The master curve is shifted along
+/// both axes, because the rows of one temperature have a common error. A level from a residual is at most 3 %, because
+/// the residual of a rougher table may be due to an unlisted effect. Estimates from few rows may be too low by chance,
+/// so the level is the upper end of a one-sided 84 % interval.
 Scatter scatterOf(const std::vector<fit::TablePoint>& points, std::optional<double> stated);
 
 /// Returns the effects that the settled loops of a table never show (Effect::in_settled_loops).

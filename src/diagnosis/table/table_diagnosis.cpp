@@ -40,10 +40,9 @@
 namespace rubber_suspension::diagnosis::table {
 namespace {
 
-constexpr int kSteps = 7;  // number of frequencies, and of amplitudes, in the menu of new rows
-// smallest difference between explanations in a proposed row, divided by the noise floor
-constexpr double kLeastFloors = 2.0;
-constexpr double kBeyond = 2.0;  // factor by which a proposed row may lie outside the measured range
+constexpr int kSteps = 7;             // number of frequencies, and of amplitudes, in the menu of new rows
+constexpr double kLeastFloors = 2.0;  // least difference between explanations / noise floor, in a proposed row
+constexpr double kBeyond = 2.0;       // factor by which a proposed row may lie outside the measured range
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -64,8 +63,7 @@ bool isMeasured(const std::vector<fit::TablePoint>& points, double frequency, do
   });
 }
 
-// Returns possible new rows within the range of a table, which is widened by the factor `beyond`. Their stiffness and
-// loss angle are placeholders.
+// Returns new rows, with placeholders for K*, within the range of a table that is widened by the factor `beyond`.
 std::vector<fit::TablePoint> menuOf(const std::vector<fit::TablePoint>& points, double beyond) {
   Range frequency;
   Range amplitude;

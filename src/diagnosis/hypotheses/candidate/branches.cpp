@@ -1,3 +1,4 @@
+// Constructs Maxwell branches.
 #include "diagnosis/hypotheses/candidate/branches.h"
 
 #include <algorithm>

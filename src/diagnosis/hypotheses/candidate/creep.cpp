@@ -9,8 +9,7 @@ namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 void addCreep(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  // The law of creep begins within the relaxation times of the effect relaxation; the branches represent departures
-  // from it.
+  // Creep begins within the relaxation times of the effect relaxation. The branches represent departures from its law.
   const double longest = longestRelaxationTime(excitation);
   constexpr double kBegins = 0.2;      // divided by the longest relaxation time
   constexpr double kBeyondLog = 10.0;  // divided by the duration of the longest log; logs do not determine a later end

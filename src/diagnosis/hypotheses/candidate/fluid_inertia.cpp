@@ -38,8 +38,7 @@ fit::BasisTerm trackTerm(double typical, const Track& track) {
 
 double typicalStiffness(const fit::Excitation& excitation) { return 0.2 * excitation.stiffness; }
 
-// Returns the term of a track whose quadratic loss equals a fraction `share` of the critical damping when the fluid
-// moves as far as the rubber.
+// Returns a track whose quadratic loss is `share` of the critical damping if the fluid moves as far as the rubber.
 fit::BasisTerm turbulentTerm(const fit::Excitation& excitation, double resonance, double share) {
   constexpr double kLaminar = 0.05;
   return trackTerm(typicalStiffness(excitation),
@@ -69,8 +68,7 @@ std::vector<fit::BasisTerm> tracksAt(const fit::Excitation& excitation, double f
 
 // Returns tracks with a mostly quadratic loss, from which a fit of the parameters of one track may start.
 std::vector<fit::BasisTerm> turbulentLaws(const fit::Excitation& excitation, double least, double largest) {
-  // adjacent frequencies differ by a factor of 1.4, less than the width of the resonance
-  constexpr int kFrequencies = 7;
+  constexpr int kFrequencies = 7;  // neighbours differ by a factor of 1.4, less than the width of the resonance
   std::vector<fit::BasisTerm> laws;
   for (int i = 0; i < kFrequencies; ++i) {
     const double frequency = least * std::pow(largest / least, (i + 0.5) / kFrequencies);

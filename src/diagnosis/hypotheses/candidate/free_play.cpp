@@ -6,8 +6,7 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Adds dead zones in series. Each removes a share of the motion within its gap, so that together they represent sharp
-// and soft edges.
+// Adds dead zones in series, each of which removes a share of the motion. Together they have sharp or soft edges.
 void addFreePlay(const fit::Excitation& excitation, fit::Candidate& candidate) {
   for (const double size : {0.01, 0.025, 0.06, 0.12, 0.22, 0.4}) {
     fit::BasisTerm term =

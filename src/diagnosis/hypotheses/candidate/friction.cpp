@@ -1,5 +1,4 @@
-// Candidate effect: friction with any transition from sticking to sliding, whose limit may depend on displacement,
-// travel or rate.
+// Candidate effect: friction, whose limit may depend on displacement, travel or rate.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -53,8 +52,7 @@ void addFriction(const fit::Excitation& excitation, fit::Candidate& candidate) {
           {{"yield_displacement", {share * largest}}, {"half_rate", {rate_share * excitation.highest_rate}}}));
     }
   }
-  // Iwan's law has two parameters. Its memory is not erased by the noise of a sensor, unlike that of Berg's law or the
-  // law of Bouc and Wen.
+  // Iwan's law has two parameters. Unlike Berg's and Bouc-Wen's, its memory is not erased by the noise of a sensor.
   for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {
     candidate.laws.push_back(
         fit::additiveTerm("iwan", "maximum_force", typical * share * largest, {{"displacement", {share * largest}}}));
@@ -93,7 +91,6 @@ double forceAt(const element::ElementDescription& entry, double z) {
   });
 }
 
-// Returns the force of all entries together when the displacement moves from rest to z.
 double forceAt(const Effect::Entries& entries, double z) {
   return std::accumulate(entries.begin(), entries.end(), 0.0,
                          [&](double sum, const auto& entry) { return sum + forceAt(entry, z); });
@@ -118,9 +115,8 @@ std::vector<HeadlineValue> limitOf(const Effect::Entries& entries) {
   return forceAndHalf(entries, "maximum_force", forceAt(entries, std::numeric_limits<double>::infinity()));
 }
 
-// Returns half of the width of the largest loop at zero displacement, which is 2 F(A/2) - F(A) by Masing's rule for
-// amplitude A and force F. Logs determine neither a limit that they do not reach nor a force in phase with the
-// stiffness.
+// Returns half of the width of the largest loop at zero displacement: 2 F(A/2) - F(A) by Masing's rule, with amplitude
+// A. Logs determine neither a limit that they do not reach nor a force in phase with the stiffness.
 std::vector<HeadlineValue> halfWidthOfLoop(const Effect::Entries& entries, const fit::Excitation& excitation) {
   const double largest = excitation.largest_displacement;
   return forceAndHalf(entries, "force_in_largest_loop",

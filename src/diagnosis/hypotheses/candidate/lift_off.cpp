@@ -42,9 +42,8 @@ Opening openingOf(const fit::Excitation& excitation) {
                                : Opening{-1.0, tension, tension / compression};
 }
 
-// Adds a contact without a preload. If the force of the other sign exceeds what an offset causes, also adds contacts
-// with a preload. If a contact transmits no force while open, the largest force of the other sign is its preload, so
-// that fits may start from this value.
+// Adds a contact without a preload. If the force of the other sign exceeds what an offset causes, adds contacts with a
+// preload. Fits start from the largest force of that sign, the preload of a contact without force while open.
 void addLiftOff(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kMost = 0.7;    // `share` above which the contact would be open for too little of the motion
   constexpr double kOfZero = 0.1;  // `share` that an offset of the force may cause

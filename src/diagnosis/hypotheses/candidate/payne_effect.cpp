@@ -25,8 +25,7 @@ void addPayneEffect(const fit::Excitation& excitation, fit::Candidate& candidate
   }
 }
 
-// Over a long travel the effect resembles relaxation. It therefore contains relaxation, and is named only if it
-// explains the logs better.
+// Over a long travel the effect resembles relaxation. It contains relaxation and is named only if it fits better.
 Effect payneEffect() {
   Effect effect{165, "payne_effect",
                 "Payne effect of filled rubber: stiffness falls during motion and recovers at rest", false,

@@ -6,8 +6,7 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// break frequencies divided by the highest frequency of the motion
-constexpr std::array<double, 3> kBands = {0.03, 0.15, 0.7};
+constexpr std::array<double, 3> kBands = {0.03, 0.15, 0.7};  // break frequencies / highest frequency of the motion
 
 // Adds Maxwell elements whose flow large forces accelerate, and others whose flow begins at a limit of the force.
 void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
@@ -28,8 +27,7 @@ void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& ter
   }
 }
 
-// Adds flow whose rate increases with the excess of the force over a limit. At the highest rate, the force is two to
-// five times the limit.
+// Adds flow that is faster the farther the force exceeds a limit. The force reaches two to five times the limit.
 void addOverstress(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double share : {0.02, 0.07, 0.25}) {
     for (const double rate_share : {0.07, 0.3, 1.0}) {

@@ -25,8 +25,7 @@ fit::BasisTerm complianceTerm(const fit::Excitation& excitation, double closing_
   return term;
 }
 
-// Adds a compliance for each side, and one that closes under load. Together they represent a mount that may be
-// asymmetric or harden.
+// Adds a compliance for each side, and one that closes under load. Together they cover asymmetry and hardening.
 void addSeriesCompliance(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kClosing = 0.5;  // divided by the largest force of a spring with the stiffness of the logs
   const double closing_force = kClosing * excitation.stiffness * excitation.largest_displacement;
@@ -34,8 +33,7 @@ void addSeriesCompliance(const fit::Excitation& excitation, fit::Candidate& cand
                      complianceTerm(excitation, closing_force, 0.0)};
 }
 
-// Merges the compliances of the two sides into one that is common to both, and one for the remainder of the softer
-// side.
+// Merges the compliances of the two sides into a common one and one for the remainder of the softer side.
 void mergeSides(Effect::Entries& entries) {
   const auto ofSide = [&](double side) {
     return std::find_if(entries.begin(), entries.end(), [&](const element::ElementDescription& entry) {

@@ -12,8 +12,7 @@ fit::BasisTerm factorTerm(const element::ParameterValues& shape) {
   return term;
 }
 
-// Adds softening that begins between small displacements and just below the largest past displacement, either at once
-// or within several cycles.
+// Adds softening that begins anywhere below the largest past displacement, at once or within several cycles.
 void addAtAnyReach(double largest, std::vector<fit::BasisTerm>& terms) {
   for (const double path : {0.0, 8.0}) {
     for (const double width : {0.05, 0.15, 0.5, 1.5}) {

@@ -12,28 +12,23 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Returns the decades of time by which an activation energy of 1 J/mol shifts between the lowest and the highest
-// temperature.
+// Returns the decades by which 1 J/mol of activation energy shifts times between the extremes of temperature.
 double decadesPerEnergy(const fit::Excitation& excitation) {
   const auto inverse = [](double temperature) { return 1.0 / (temperature + element::kZeroCelsius); };
   return (inverse(excitation.lowest_temperature) - inverse(excitation.highest_temperature)) /
          (std::log(10.0) * element::kGasConstant);
 }
 
-// Returns the largest magnitude of the activation energy. It may have either sign, because the shift that the component
-// already has may be too large.
+// Returns the largest activation energy. It may be negative, to correct a configured shift that is too large.
 double largestEnergy(const fit::Excitation& excitation) {
-  constexpr double kMost = 5e5;  // in J/mol, at the glass transition
-  // over the range of temperatures; the law is valid up to 20 decades towards slow rates
-  constexpr double kMostDecades = 16.0;
+  constexpr double kMost = 5e5;          // in J/mol, at the glass transition
+  constexpr double kMostDecades = 16.0;  // in the range of the logs; the law is valid to 20 decades of slower rates
   return std::min(kMost, kMostDecades / decadesPerEnergy(excitation));
 }
 
-// Returns a shift of rates with one activation energy, which approximates any law of temperature over several tens of
-// kelvin.
+// Returns a shift with one activation energy, which approximates any law of temperature over tens of kelvin.
 fit::BasisTerm rates(const fit::Excitation& excitation, double reference) {
-  // in J/mol; natural rubber at 20 degC has 7e4, and any rubber far above its glass transition has the order of 1e4
-  constexpr double kTypical = 3e4;
+  constexpr double kTypical = 3e4;  // [J/mol]; natural rubber at 20 degC: 7e4; far above the glass transition: 1e4
   fit::BasisTerm term =
       fit::additiveTerm("arrhenius_shift", "activation_energy", kTypical, {{"reference", {reference}}});
   term.additive = false;
@@ -65,8 +60,7 @@ fit::BasisTerm stiffness(double reference, double reach) {
   constexpr double kTypical = 3e-3;  // in 1/K; 1/293 for entropy elasticity, 0.001 to 0.01 for fillers
   fit::BasisTerm term = fit::additiveTerm("vertical_shift", "coefficient", kTypical, {{"reference", {reference}}});
   term.additive = false;
-  // keeps the stiffness positive at twice the temperature range of the logs from the reference
-  term.upper = 0.8 / (2.0 * reach + 20.0);
+  term.upper = 0.8 / (2.0 * reach + 20.0);  // positive up to twice the temperature range from the reference
   term.lower = -term.upper;
   return term;
 }

@@ -10,8 +10,7 @@ void addTimeDelay(const fit::Excitation& excitation, fit::Candidate& candidate) 
   fit::BasisTerm term = fit::additiveTerm("time_delay", "delay", excitation.dt);
   term.lower = -std::min(4.0 * excitation.dt, 0.02);
   term.upper = 0.03;
-  // with long time steps, a delay of one step exceeds the range of the element
-  term.typical = std::min(term.typical, 0.5 * term.upper);
+  term.typical = std::min(term.typical, 0.5 * term.upper);  // long time steps exceed the range of the element
   term.additive = false;
   candidate.terms = {term};
   candidate.one_form = true;

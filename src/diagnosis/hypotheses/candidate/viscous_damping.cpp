@@ -42,8 +42,7 @@ double forceAtRate(const element::ElementDescription& entry, double rate) {
   return entry.type == "position_dashpot" ? linear * std::pow(0.5, entry.value("power")) : linear;
 }
 
-// Returns the damping of a single linear dashpot. For other laws, returns their force at the highest rate, because logs
-// determine this force and no damping.
+// Returns the damping of a single linear dashpot. Of other laws, logs determine only the force at the highest rate.
 std::vector<HeadlineValue> forceOrDamping(const Effect::Entries& entries, const fit::Excitation& excitation) {
   if (entries.size() == 1 && entries.front().type == "dashpot") {
     return movedOf(entries);
