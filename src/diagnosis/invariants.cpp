@@ -145,7 +145,7 @@ bool headlineIsTheLargest(const Diagnosis& d) {
   });
 }
 
-// Returns true if each interval that ends at 0, of a value other than 0, is marked as limited by a bound of the fit.
+// Returns true if each interval with a lower end of 0, except for values of 0, is marked as limited by a bound.
 bool boundsAreSaid(const Diagnosis& d) {
   const auto holds = [](const SizedValue& size) {
     return size.interval_95[0] != 0.0 || size.value == 0.0 || size.at_bound[0];

@@ -6,8 +6,8 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Predicted judgement of logs that the model explains except for the added force of one effect. The prediction is
-/// repeated for several forms of the law of the effect; shares are fractions of the number of forms.
+/// Predicted judgement of logs to which the force of one effect is added and which the model explains otherwise. It is
+/// predicted for several forms of the law of the effect; shares are fractions of the number of forms.
 struct ImplantedEffect {
   std::string effect;
   /// found or confounded if at least half of the forms are either; otherwise the most frequent one of found,
@@ -17,8 +17,8 @@ struct ImplantedEffect {
   std::vector<double> named_as;        ///< for each effect: fraction of the forms for which it would be named first
   double nothing_named = 0.0;          ///< fraction of the forms for which no effect would be named
   double visible_share = 0.0;          ///< part of its force that re-estimated model parameters do not absorb [-]
-  /// Smallest RMS force, divided by the standard deviation of the force, at which half of the forms are found, alone or
-  /// in a set of effects without wrong values; infinite if this ratio would exceed 1.
+  /// Smallest RMS force, divided by the standard deviation of the force, at which half of the forms are found or
+  /// confounded and wrong values are not an alternative; infinite if this ratio would exceed 1.
   double least_size = 0.0;
 };
 

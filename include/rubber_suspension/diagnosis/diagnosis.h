@@ -146,8 +146,8 @@ struct Admission {
 struct TakenOut {
   std::string log;
   std::string kind;  ///< spikes, line, zero, displacement_zero, initial_state, drift, gain, friction_factor, delay
-  /// Root of the mean squared residual that the removal took away, divided by the standard deviation of the force;
-  /// negative if the residual grew. The sum of the squares of a log, each with its sign, is recorded^2 - left^2 of its
+  /// Square root of the mean squared residual that was removed, divided by the standard deviation of the force;
+  /// negative if the residual grew. The sum of the squares for a log, with these signs, is recorded^2 - left^2 of its
   /// Admission.
   double share = 0.0;
 };
@@ -309,7 +309,7 @@ struct WrittenLaw {
   std::vector<Withheld> withheld;        ///< in the order in which they were withheld
 };
 
-/// Cells and characteristics in which a component is wrong.
+/// The errors of a component: its gap in each cell, and the errors of its characteristics.
 struct Where {
   std::vector<gap::GapCell> before;  ///< cells of the configured component
   std::vector<gap::GapCell> after;   ///< cells of the augmented component
@@ -401,11 +401,11 @@ std::string evidenceJson(const Diagnosis& diagnosis);
 /// Returns the names of the files that a report may consist of, the page last.
 std::vector<std::string> reportFiles();
 
-/// Creates the folder and writes the files of the report and the numbers of its figures. report.json is always written;
-/// augmented.yaml needs hasComponentFile(), and augmented_full.yaml and evidence.json have to be requested.
-/// next_experiment.csv and .drv need a proposed experiment, surrogate.yaml and missing_force.csv a surrogate. The page
-/// of an earlier report is removed, and so is each of its files that this report does not replace. All files are
-/// written before the first is renamed. Throws std::runtime_error.
+/// Creates the folder and writes the files of the report and the numbers of its figures. report.json is always written.
+/// augmented.yaml is written if hasComponentFile(), next_experiment.csv and .drv if an experiment is proposed,
+/// surrogate.yaml and missing_force.csv if there is a surrogate, and augmented_full.yaml and evidence.json if
+/// requested. The page of an earlier report is removed, and so are its files that this report does not replace. All
+/// files are written before the first is renamed. Throws std::runtime_error.
 void writeReportData(const Diagnosis& diagnosis, const std::string& folder);
 
 /// Writes the data of the report, and then runs scripts/render_report to write report.html, a page that needs no

@@ -14,8 +14,8 @@ namespace rubber_suspension::diagnosis {
 
 /// A cell of the cross map: how well the displacement in the direction `by` predicts the residual of the augmented
 /// component in the generalised force of the direction `of`. The prediction is a cubic polynomial of both displacements
-/// plus the product of the rate of `of` and the displacement of `by`. It counts only beyond cubic polynomials of the
-/// displacement and the rate of `of`, on parts of the logs that took no part in the fit of these functions.
+/// plus the product of the rate of `of` and the displacement of `by`. The share is what it predicts beyond cubic
+/// polynomials of the displacement and the rate of `of`, on parts of the logs that took no part in the fits.
 struct CrossShare {
   component::Direction of = component::kX;
   component::Direction by = component::kY;

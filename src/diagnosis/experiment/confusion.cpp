@@ -20,7 +20,7 @@ using hypotheses::Search;
 using judge::Answer;
 
 constexpr double kLeastSize = 1e-4;  // fraction of the force at which the search for the least size begins
-constexpr int kHalvings = 10;        // halves the logarithmic range from kLeastSize to 1 to a factor of 1.01
+constexpr int kHalvings = 10;        // bisections of the logarithm of the size, which determine the size to 1 %
 
 enum class Outcome { found, confounded, taken_for, unexplained, out_of_reach };
 
@@ -121,7 +121,8 @@ class EffectRow {
     return implant.hidden_by_rig ? Answer{} : judge::answer(experiment::evidenceOf(search_, implant, size));
   }
 
-  // Returns the effects of the listed sets other than this one, and kWrongValues if wrong values are an alternative.
+  // Returns the effects in the listed sets, except for this effect, and kWrongValues if wrong values are an
+  // alternative.
   std::set<int> othersOf(const Answer& answer) const {
     std::set<int> others;
     for (const std::vector<int>& set : answer.confounded) {

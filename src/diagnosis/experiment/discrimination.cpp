@@ -86,7 +86,7 @@ double Discriminator::moreNoise(const Eigen::VectorXd& force) const {
   return std::pow(judge::fittedNumbers().floor_known * noise_, 2) * std::max(0.0, ratio * ratio - 1.0);
 }
 
-// Returns the expected entropy of the names if explanations are not refitted, by which motions are sorted.
+// Returns the expected entropy without a refit of the explanations, by which motions are sorted.
 double Discriminator::unrefitted(std::size_t motion) const {
   const auto logs = static_cast<double>(fitter_.records().size());
   double open = 0.0;
@@ -102,8 +102,8 @@ double Discriminator::unrefitted(std::size_t motion) const {
   return open;
 }
 
-// Returns the motions with the least entropy, in rounds of one motion of each kind. A refit absorbs the differences on
-// motions of one kind by the same parameters.
+// Returns the motions with the least expected entropy, one of each kind in each round, because a refit absorbs the
+// differences on all motions of one kind by the same parameters.
 std::vector<std::size_t> Discriminator::promising(const std::vector<std::size_t>& motions) const {
   std::vector<std::pair<double, std::size_t>> order(motions.size());
   fit::parallelFor(motions.size(), threads_, [&](std::size_t i) { order[i] = {unrefitted(motions[i]), motions[i]}; });

@@ -46,8 +46,8 @@ class Projected {
   // Returns the gap that the force of a basis term causes, including what an error of the rig could explain of it.
   double gapOf(Eigen::Index column) const { return std::sqrt(squares_[column]); }
 
-  // Returns the residuals after a fit of the model parameters and of the terms `by` to a force, which is `scale` times
-  // that of a basis term. The term has the index `column` in the normal equations.
+  // Returns the residuals of a force after a fit of the model parameters and of the terms `by`. The force is `scale`
+  // times that of the basis term with the index `column`.
   Residuals residualsOf(Eigen::Index column, double scale, const Fitted& by) const {
     const std::vector<Eigen::Index>& columns = by.columns;
     const auto count = static_cast<Eigen::Index>(columns.size());

@@ -67,7 +67,7 @@ const FittedHypothesis& bestOf(const Search& search) {
   return *best;
 }
 
-// Returns the standard error of the logarithm of a record's noise floor, from the noise floors of its three parts.
+// Returns the standard error of the logarithm of the noise floor, estimated from three parts of the record.
 double floorUncertainty(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
   constexpr Eigen::Index kParts = 3;
   const Eigen::VectorXd left = record.withoutRig(residual);

@@ -13,8 +13,8 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// A candidate is testable if the part of its force that re-estimated parameters do not absorb is at least the first of
-// these shares of its force and, at its typical size, at least the second of these shares of the noise.
+// A candidate is testable if re-estimated parameters leave at least kVisibleShare of its force and, at its typical
+// size, at least kVisibleSize of the noise.
 constexpr double kVisibleShare = 0.05;
 constexpr double kVisibleSize = 0.2;
 

@@ -31,7 +31,7 @@ constexpr std::size_t kMostStarts = 3;     // largest number of hypotheses to wh
 constexpr std::size_t kAtOnce = 4;  // number of sets that are fitted before the remaining ones are compared again
 constexpr std::size_t kMostEffects = 3;
 // A set is neither fitted nor extended if its log odds are lower than those of the best set by more than kWithinReach.
-// For odds that are screened, kScreeningKnown is added, because screening linearises the laws.
+// The limit is larger by kScreeningKnown for screened odds, because screening linearises the laws.
 constexpr double kWithinReach = 4.6;
 constexpr double kScreeningKnown = 2.3;
 constexpr double kWorthAFit = 2.3;  // larger sets are fitted if they could be a tenth as likely as the best (log odds)
@@ -173,7 +173,7 @@ class Searcher {
 
   void estimateNoise() { result_.noise = measured_.estimateNoise(*bestOfAll(), result_); }
 
-  // Computes the visibility of the candidates, how they would be judged if added, and the gap of a flexible fit.
+  // Computes the visibility of the candidates, the residuals if they are added, and the gap of a flexible fit.
   void measureVisibility(const Screening& screening) {
     result_.visibility = screening.visibility(result_.noise.floor);
     result_.implants = implantAll(fitter_, screening, threads_);

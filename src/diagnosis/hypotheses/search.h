@@ -20,7 +20,7 @@ struct FittedHypothesis {
   fit::Fit fit;
 };
 
-/// Ratio of the gap on the data of the fit to the gap on held-out blocks, up to which chance explains a ratio above 1.
+/// Largest ratio of the gap on the data of the fit to the gap on held-out blocks that chance explains.
 constexpr double kBetterByChance = 1.02;
 
 /// Noise floors, divided by the standard deviation of the force.

@@ -8,8 +8,8 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Sets the terms of each candidate that has such a parameter (fit::Candidate::terms_at) to those at the value with the
-/// least error. The errors are those of a fit of the model and the terms, linearised about the re-estimated model.
+/// Finds, for each candidate with such a parameter (fit::Candidate::terms_at), the value with the least error, and sets
+/// the terms of the candidate to those at this value. Errors follow from normal equations about the re-estimated model.
 void settleShapes(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated,
                   const std::vector<gap::PreparedRecord>& records, int threads,
                   std::vector<fit::Candidate>& candidates);

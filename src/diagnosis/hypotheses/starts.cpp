@@ -15,7 +15,7 @@ constexpr int kToldIterations = 20;  // for starts that the logs suggest, which 
 constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
 constexpr int kZeroIterations = 2;
-constexpr double kClearlyBetter = 0.99;  // largest ratio of the scores of a clearly better fit and the other one
+constexpr double kClearlyBetter = 0.99;  // a clearly better fit has at most this share of the score of the other one
 // Change of the logarithm of a model parameter above which a fit also starts from the configured values.
 constexpr double kFar = 0.2;
 
@@ -63,7 +63,7 @@ void fitFrom(const fit::HypothesisFitter& fitter, const fit::Hypothesis& hypothe
   keepBetter(std::move(fitted), best);
 }
 
-// Returns the index in another hypothesis of a term, if that hypothesis contains the term.
+// Returns the index of a term in another hypothesis, or nothing if that hypothesis lacks the term.
 std::optional<Eigen::Index> placeIn(const fit::Hypothesis& other, const fit::TermPlace& term) {
   const auto found = std::find(other.places.begin(), other.places.end(), term);
   return found == other.places.end() ? std::nullopt : std::optional(found - other.places.begin());

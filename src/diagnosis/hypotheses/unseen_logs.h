@@ -42,7 +42,7 @@ std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis,
 std::vector<double> errorsByLog(const std::vector<gap::PartError>& parts, std::vector<double> otherwise);
 
 /// Returns the per-log nuisance parameters that are removed before a noise floor is estimated. These are offsets and
-/// gains, which are not noise, but not trends, which would absorb slow noise.
+/// gains. Trends are not removed, because they would absorb slow noise.
 fit::PerLogNuisances freeOfNoise(const fit::Hypothesis& hypothesis);
 
 /// Returns the noise floor of each record: the noise in the residual after removal of `free`, up to a limit. It is

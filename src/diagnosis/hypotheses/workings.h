@@ -47,7 +47,7 @@ namespace rubber_suspension::diagnosis {
 struct Simulated {
   std::vector<gap::PreparedRecord> records;  ///< the logs of the fit, followed by the held-out logs
   std::size_t training = 0;                  ///< number of records that took part in the fit
-  gap::Forces configured;                    ///< a force for each record, here and below
+  gap::Forces configured;                    ///< forces on each record; likewise in the next two members
   gap::Forces re_estimated;
   gap::Forces augmented;
 };

@@ -24,10 +24,10 @@ struct Answer {
   Verdict verdict = Verdict::none;
   std::vector<int> effects;            ///< named effects, sorted by the size of their forces, the largest first
   int model = Evidence::kReEstimated;  ///< index of the judged hypothesis
-  double probability = 0.0;  ///< probability of the verdict; if effects are named, of the set of these effects
-  double beside = 0.0;  ///< fraction of the probability of the named set for which an unlisted cause is also at work
-  Posterior posterior;  ///< probabilities of the four answers
-  std::vector<double> candidates;            ///< for each effect: probability that it is at work
+  double probability = 0.0;        ///< probability of the verdict; if effects are named, of the set of these effects
+  double beside = 0.0;             ///< conditional probability of an unlisted cause, given the named set
+  Posterior posterior;             ///< probabilities of the four answers
+  std::vector<double> candidates;  ///< for each effect: probability that it is at work
   std::vector<std::vector<int>> confounded;  ///< likeliest sets, with 90 % of the probability of all sets
   std::vector<Explained> alternatives;       ///< likeliest other explanations, 90 % together with the answer
 };

@@ -48,7 +48,7 @@ struct Evidence {
   std::vector<HypothesisEvidence> hypotheses;
   std::vector<LogEvidence> logs;     ///< the logs of the fit, followed by the unseen logs
   std::vector<std::string> effects;  ///< names of the effects; HypothesisEvidence::members are indices of this list
-  std::vector<bool> one_form;        ///< for each effect: its law has only one form, as that of a mass has
+  std::vector<bool> one_form;        ///< for each effect: its law has only one possible form, as for a mass
   std::vector<bool> constant;        ///< for each effect: it adds a constant force, for which there is no form error
   /// For each effect: the effects that its law contains, because they are limits of this law.
   std::vector<std::vector<int>> contains;

@@ -32,7 +32,8 @@ struct JudgeNumbers {
   double per_gain = 0.4;
   double share = 0.5;
   double share_spread = 0.7;
-  std::map<std::string, double> rates = {};  ///< for each effect: logarithm of its rate divided by the usual rate
+  /// for each effect: addition to the log prior that all effects have in common
+  std::map<std::string, double> rates = {};
 
   /// Returns the entry of `rates` for an effect, or 0 if there is none.
   double rateOf(const std::string& name) const;
@@ -51,7 +52,7 @@ struct NumberInfo {
 
 const std::vector<NumberInfo>& numberTable();
 
-/// Standard deviation of the prior of each entry of `rates`. The mean of this prior is 0.
+/// Standard deviation of the normal prior of each entry of `rates`, whose mean is 0.
 constexpr double kRateDeviation = 0.7;
 
 /// Returns the numbers of the last fit (fitted_numbers.cpp).

@@ -37,9 +37,9 @@ struct ScoreTable {
   std::vector<bool> another_reading;  ///< the hypothesis interprets wrong values as an effect (keeps_values)
   /// Logarithm of the size of each effect over all logs; for wrong values, that of the error which they cause.
   std::vector<std::vector<double>> sizes;
-  /// Logarithm of the size that each effect removes beyond the best effect that its law contains; infinite if none.
+  /// Logarithm of the size that each effect removes beyond the best effect that its law contains; infinite without one.
   std::vector<std::vector<double>> sizes_beyond;
-  double by_values = 0.0;  ///< `left` over all logs with configured or re-estimated values, the smaller
+  double by_values = 0.0;  ///< `left` over all logs for the better of configured and re-estimated values
   bool guess = false;      ///< the model as configured is inadmissible
   Eigen::ArrayXd floor;    ///< squared noise floor of each log, at most the least squared error of any hypothesis
   Eigen::ArrayXd floor_uncertainty;  ///< standard error of the logarithm of the floor of each log
@@ -58,8 +58,8 @@ Eigen::ArrayXXd expectedSquares(const ScoreTable& table, const JudgeNumbers& num
 /// Returns the sharpness, kappa of logWeights(), for the number of blocks of the table.
 double sharpnessOf(const ScoreTable& table, const JudgeNumbers& numbers);
 
-/// Returns the number of mechanisms for which a law stands that contains this number of other laws. A law that does the
-/// work of two laws is as improbable as both together.
+/// Returns the number of mechanisms that a law counts for if it contains `contained` other laws: at least 1. A law that
+/// does the work of two laws is as improbable as both together.
 inline std::size_t mechanismsOf(std::size_t contained) { return std::max<std::size_t>(contained, 1); }
 
 /// Returns the log prior that this number of mechanisms is at work, whichever they are.

@@ -226,7 +226,7 @@ class TableDescriber {
     return fit::gapOfTable(table_.points, stiffnessOf(description));
   }
 
-  // Returns the gap of a model with the re-estimated values if in[0], and with effect e if in[1 + e].
+  // Returns the gap of a model that has the re-estimated values if in[0] is true, and effect e if in[1 + e] is true.
   double gapWith(const std::vector<bool>& in) const {
     hypotheses::FittedHypothesis some = judged_;
     if (!in[0]) {

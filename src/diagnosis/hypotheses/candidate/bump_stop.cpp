@@ -9,7 +9,7 @@ namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
 void addBumpStop(const fit::Excitation& excitation, fit::Candidate& candidate) {
-  // A gap between two of the terms needs both of them on each side. More than these terms represent a smooth curve.
+  // A stop between two gaps of the list below needs two terms on each side. More terms represent a smooth curve.
   candidate.terms_of_one = 4;
   for (const double side : {0.0, 1.0, -1.0}) {
     for (const double share : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {

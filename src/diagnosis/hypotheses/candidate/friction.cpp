@@ -77,7 +77,8 @@ void mergeSliders(Effect::Entries& entries) {
 }
 
 // Returns the force of an entry whose displacement moves from rest to z. For an infinite z, this is the limit of the
-// force. Limits that grow or wear have their initial value, and limits that rise with the rate have their final value.
+// force. A limit that grows or wears is taken at its initial value, and a limit that rises with the rate at its final
+// value.
 double forceAt(const element::ElementDescription& entry, double z) {
   if (entry.type == "friction") {
     return entry.value("maximum_force") / (1.0 + entry.value("displacement") / z);

@@ -42,8 +42,8 @@ Opening openingOf(const fit::Excitation& excitation) {
                                : Opening{-1.0, tension, tension / compression};
 }
 
-// Adds a contact without a preload. If the force of the other sign exceeds what an offset causes, adds contacts with a
-// preload. Fits start from the largest force of that sign, the preload of a contact without force while open.
+// Adds a contact without a preload and, if an offset does not explain the force of the other sign, contacts with a
+// preload. The largest force of the other sign is the preload of a contact that transmits no force while open.
 void addLiftOff(const fit::Excitation& excitation, fit::Candidate& candidate) {
   constexpr double kMost = 0.7;    // `share` above which the contact would be open for too little of the motion
   constexpr double kOfZero = 0.1;  // `share` that an offset of the force may cause

@@ -6,8 +6,8 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Adds whole radial laws, for components whose configured law is linear. Also adds only what the radius contributes to
-// a law that is right along each direction alone.
+// Adds whole radial laws, for components whose configured law is linear. Also adds laws of what the radius alone
+// contributes, for components whose laws are right along each direction by itself.
 void addRadialCoupling(const fit::Excitation& excitation, fit::Candidate& candidate) {
   const double r = excitation.largest_radius;
   if (r == 0.0) {

@@ -12,7 +12,7 @@
 namespace rubber_suspension::diagnosis::hypotheses::candidate {
 namespace {
 
-// Returns the decades by which 1 J/mol of activation energy shifts times between the extremes of temperature.
+// Returns by how many decades an activation energy of 1 J/mol shifts times from the highest to the lowest temperature.
 double decadesPerEnergy(const fit::Excitation& excitation) {
   const auto inverse = [](double temperature) { return 1.0 / (temperature + element::kZeroCelsius); };
   return (inverse(excitation.lowest_temperature) - inverse(excitation.highest_temperature)) /
