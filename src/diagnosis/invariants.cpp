@@ -233,7 +233,7 @@ bool fileLeavesNoMore(const Diagnosis& d) {
          all(d.law.withheld, [&](const Withheld& one) { return !isWritten(d, one.effect); });
 }
 
-// Returns true if numbers of named effects are those of the written law, and numbers of others those of full laws.
+// Returns true if the numbers of named effects come from the written law, and those of all others from full laws.
 bool numbersAreOfTheFile(const Diagnosis& d) {
   return d.table || all(d.candidates, [&](const CandidateResult& c) {
            const bool named = std::count(d.answer.effects.begin(), d.answer.effects.end(), c.effect) > 0;

@@ -13,7 +13,7 @@ struct ImplantedEffect {
   /// found or confounded if at least half of the forms are either; otherwise the most frequent one of found,
   /// confounded, taken_for, unexplained and out_of_reach
   std::string outcome;
-  std::vector<std::string> taken_for;  ///< effects named in its place or not distinguished; may include wrong values
+  std::vector<std::string> taken_for;  ///< effects or wrong values named in its place or not distinguished from it
   std::vector<double> named_as;        ///< for each effect: fraction of the forms for which it would be named first
   double nothing_named = 0.0;          ///< fraction of the forms for which no effect would be named
   double visible_share = 0.0;          ///< part of its force that re-estimated model parameters do not absorb [-]

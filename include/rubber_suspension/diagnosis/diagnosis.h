@@ -64,7 +64,7 @@ struct CandidateResult {
   double visible_share = 0.0;  ///< part of its typical force that re-estimated model parameters do not absorb [-]
   std::map<std::string, double> parameters;
   std::vector<element::ElementDescription> add;  ///< entries for `add` of a component file
-  /// True if the numbers above are those of the written component, false if they are those of this full law alone.
+  /// True if the numbers above are those of the written component, false if those of the effect's full law alone.
   bool written = false;
 };
 
@@ -324,7 +324,6 @@ struct OwnParameters {
   bool guess = false;  ///< the data sheet is a guess, so that its values are identified from the logs
 };
 
-/// The logs, and the errors removed from each.
 struct AdmittedLogs {
   std::vector<Admission> admission;
   std::vector<TakenOut> taken_out;  ///< errors in the order of the logs
@@ -343,7 +342,7 @@ struct Samples {
 /// The result of a diagnosis. If the verdict is check_bench or defect, numbers are kNotComputed and lists are empty.
 struct Diagnosis {
   std::string component;
-  bool turns = false;    ///< rotation: [m] stands for [rad], [N] for [N m]; units of values are converted
+  bool turns = false;    ///< the component is a rotation: [m] stands for [rad] and [N] for [N m]
   std::string sentence;  ///< states the verdict for an engineer
   std::string defect;    ///< broken invariants; empty except for Verdict::defect
   Answered answer;

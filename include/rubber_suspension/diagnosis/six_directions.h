@@ -21,7 +21,7 @@ struct CrossShare {
   component::Direction by = component::kY;
   /// fraction of the squared residual [-]; NaN if `by` does not move, or if its motion follows from that of `of`
   double share = 0.0;
-  double force = 0.0;  ///< RMS of the predicted force [N] or moment [N m]; NaN if `share` is
+  double force = 0.0;  ///< RMS of the predicted force [N] or moment [N m]; NaN if `share` is NaN
 };
 
 struct DirectionDiagnosis {

@@ -205,7 +205,7 @@ void Discriminator::project(std::size_t wrong, const std::vector<std::size_t>& m
   }
 }
 
-// Returns the log prior of the sizes of an explanation's effects, whose terms have the normalised products `gram`.
+// Returns the log prior of the sizes of the effects, from the normalised products of the forces of their terms.
 double Discriminator::priorOfSizes(std::size_t explanation, const Eigen::MatrixXd& gram,
                                    const Eigen::VectorXd& scales) const {
   std::vector<double> sizes;

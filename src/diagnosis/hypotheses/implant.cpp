@@ -14,7 +14,7 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-constexpr std::size_t kMostShapes = 6;  // forms of an effect: the first, the last and evenly spaced ones between
+constexpr std::size_t kMostShapes = 6;  // largest number of forms of an effect, evenly spaced from first to last
 constexpr double kNothing = 1e-9;       // gap below which the force of a typical effect is a rounding error
 
 struct Fitted {

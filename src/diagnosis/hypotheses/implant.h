@@ -16,7 +16,7 @@ struct Residuals {
   double gap = 1.0;    ///< RMS residual divided by the standard deviation of the force
   double chi = 0.0;    ///< square root of chi^2 of the change of the model parameters
   double added = 0.0;  ///< RMS force of the candidate divided by the standard deviation of the force
-  /// Number of parameters in use beyond the laws that the candidate contains (fit::numbersBeyond()).
+  /// Number of nonzero parameters beyond those of the laws that the candidate contains (fit::numbersBeyond()).
   std::size_t beyond = 0;
 };
 

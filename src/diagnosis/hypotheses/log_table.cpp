@@ -58,7 +58,7 @@ std::vector<double> sizesOfMember(const fit::Candidate& candidate, const fit::Pe
   return sizes;
 }
 
-// Returns the hypothesis with the least error on the logs of the fit, except for trends, which absorb slow noise.
+// Returns the hypothesis without trends, which absorb slow noise, that has the least error on the logs of the fit.
 const FittedHypothesis& bestOf(const Search& search) {
   const FittedHypothesis* best = &search.re_estimated;
   for (const FittedHypothesis* fitted : search.withEffects()) {

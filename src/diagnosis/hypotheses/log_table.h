@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::diagnosis::hypotheses {
 
-/// Returns the parameters of a fitted hypothesis with the scales of its effect with the index `member` set to 0.
+/// Returns the parameters of a fitted hypothesis in which the scales of the effect `member` (an index) are 0.
 fit::ParameterVector withoutMember(const FittedHypothesis& fitted, std::size_t member);
 
 /// Returns, for each effect of a fitted hypothesis and each record, the mean square of the force that the effect adds,

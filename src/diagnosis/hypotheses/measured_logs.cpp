@@ -19,7 +19,7 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// Returns the least held-out gap of any hypothesis on all logs, except for trends, which absorb slow noise.
+// Returns the least held-out gap of any hypothesis without trends, which absorb slow noise, on all logs.
 double leastLeft(const Search& search) {
   double least = search.re_estimated.fit.held_out;
   for (const FittedHypothesis* fitted : search.withEffects()) {

@@ -27,7 +27,7 @@ class Odds {
   /// Returns the log weight of a hypothesis with these scales. `error` is fit::Fit::score() or a comparable gap.
   double of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const;
 
-  /// Returns the log weight of a set of this number of effects of usual rate whose error is the noise floor.
+  /// Returns the log weight of a set with this number of effects, each of usual rate, whose error is the noise floor.
   double mostOf(std::size_t effects) const;
 
  private:

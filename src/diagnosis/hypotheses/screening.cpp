@@ -13,8 +13,7 @@
 namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
-// A candidate is testable if re-estimated parameters leave at least kVisibleShare of its force and, at its typical
-// size, at least kVisibleSize of the noise.
+// Shares of the force and of the noise that a testable candidate of typical size leaves after re-estimation.
 constexpr double kVisibleShare = 0.05;
 constexpr double kVisibleSize = 0.2;
 

@@ -26,7 +26,7 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kBaseIterations = 40;
-constexpr std::size_t kMostOfOneSize = 8;  // pairs, and triples, that are fitted in one stage of the search
+constexpr std::size_t kMostOfOneSize = 8;  // largest number of pairs, and of triples, that are fitted in one stage
 constexpr std::size_t kMostStarts = 3;     // largest number of hypotheses to which further effects are added
 constexpr std::size_t kAtOnce = 4;  // number of sets that are fitted before the remaining ones are compared again
 constexpr std::size_t kMostEffects = 3;

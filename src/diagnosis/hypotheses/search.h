@@ -67,11 +67,11 @@ struct Search {
   /// Returns true if a hypothesis competes (fit::Hypothesis::competes()) and contains none of the effects `without`.
   bool competes(const fit::Hypothesis& hypothesis, const std::vector<std::string>& without) const;
 
-  /// Returns the hypothesis, possibly the model without effects, that is likeliest on all logs apart from `one`.
+  /// Returns the likeliest hypothesis on all logs other than `one`, possibly the model without effects.
   const FittedHypothesis& likeliestBeside(const FittedHypothesis& one) const;
 };
 
-/// Returns the evidence of a search without the logs, errors and sizes, which evidenceOfLogs() or a table adds.
+/// Returns the evidence of a search without the logs, errors and sizes, which evidenceOfLogs() or diagnoseTable() adds.
 judge::Evidence evidenceOf(const Search& search);
 
 /// Returns evidence that describes the candidates only, without hypotheses and exclusions.

@@ -150,7 +150,7 @@ CurveLook bestCurve(const fit::HypothesisFitter& fitter, const FittedHypothesis&
   std::vector<fit::Curve> curves = {{1.0, 0.0}, {2.5, 0.0}, {6.0, 0.0}, {3.0, 1.0}, {3.0, -1.0}};
   CurveLook best;
   best.left = HUGE_VAL;
-  double step = 1.6;  // ratio of the growth of the next curves, half the spacing on a logarithmic axis
+  double step = 1.6;  // factor on the growth for the next curves: half the spacing on a logarithmic axis
   for (int refinement = 0; refinement <= kRefinements; ++refinement) {
     const std::vector<double> left = leftAlong(curves);
     const auto least = std::min_element(left.begin() + 1, left.end());

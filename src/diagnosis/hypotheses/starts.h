@@ -16,7 +16,7 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
                const fit::ParameterVector& start, double reach, FittedHypothesis& single);
 
 /// Fits one gain of all logs together with the configured values. If gains may differ between logs, also fits a gain
-/// for each log with free values, and keeps this fit if it is clearly better than one gain and than free values alone.
+/// for each log with free model parameters, and keeps this fit if it is clearly better than one gain and than no gain.
 void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
               FittedHypothesis& single);
 

@@ -14,7 +14,7 @@ namespace rubber_suspension::diagnosis::judge {
 struct HypothesisEvidence {
   std::vector<int> members;  ///< indices of the effects of the hypothesis, ascending
   std::size_t terms = 0;     ///< number of basis terms of these effects; 0 if the logs lack what the effects need
-  /// Number of parameters of the laws in use beyond the laws that they contain (fit::numbersBeyond()).
+  /// Number of nonzero parameters beyond those of the laws that the effects contain (fit::numbersBeyond()).
   std::size_t beyond = 0;
   fit::PerLogNuisances free_in_log;  ///< parameters that are free in each log
   bool idle = false;          ///< an effect removes no more than chance would, so that the hypothesis is inadmissible

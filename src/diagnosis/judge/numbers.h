@@ -52,7 +52,7 @@ struct NumberInfo {
 
 const std::vector<NumberInfo>& numberTable();
 
-/// Standard deviation of the normal prior of each entry of `rates`, whose mean is 0.
+/// Standard deviation of the normal prior of each entry of `rates`. The mean of this prior is 0.
 constexpr double kRateDeviation = 0.7;
 
 /// Returns the numbers of the last fit (fitted_numbers.cpp).

@@ -95,7 +95,7 @@ void fillMembers(const Evidence& evidence, const HypothesisEvidence& hypothesis,
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const ArrayXd squares = arrayOf(hypothesis.sizes[m]);
     const auto member = static_cast<std::size_t>(hypothesis.members[m]);
-    const bool exact = evidence.constant[member] || hypothesis.keeps_values;  // a gain of all logs equals other values
+    const bool exact = evidence.constant[member] || hypothesis.keeps_values;  // a gain is equivalent to other values
     if (!exact) {
       (evidence.one_form[member] ? table.added_of_one : table.added).row(row) += squares.transpose();
     }
@@ -151,8 +151,8 @@ double leftByValues(const ScoreTable& table) {
   return table.guess ? left[Evidence::kReEstimated] : left.minCoeff();
 }
 
-// Returns the log prior of a set: the priors of the number of its effects and of their rates, minus the costs of
-// parameters beyond contained laws and of parameters that are free in each log.
+// Returns the log prior of a set: the priors of the number and the kinds of its effects, minus the costs of parameters
+// beyond contained laws and of parameters that are free in each log.
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
   const std::vector<int>& members = table.members[hypothesis];
   const auto row = static_cast<Index>(hypothesis);

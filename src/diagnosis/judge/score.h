@@ -29,7 +29,7 @@ struct ScoreTable {
   Eigen::ArrayXXd errors;               ///< squared errors
   Eigen::ArrayXXd left;                 ///< squared errors minus the squared noise floor
   Eigen::ArrayXXd added;                ///< squared forces of the effects whose law has several forms
-  Eigen::ArrayXXd added_of_one;         ///< squared forces of the effects whose law has one form
+  Eigen::ArrayXXd added_of_one;         ///< squared forces of the effects whose law has one possible form
   Eigen::ArrayXXd in_bands;             ///< part of `left` in each band, divided by the share of the band
   Eigen::ArrayXd departure;             ///< for each hypothesis: chi^2 of the deviations from the data sheet
   Eigen::ArrayXd beyond;                ///< for each hypothesis: parameters beyond those of contained laws

@@ -68,7 +68,7 @@ std::vector<fit::BasisTerm> tracksAt(const fit::Excitation& excitation, double f
 
 // Returns tracks with a mostly quadratic loss, from which a fit of the parameters of one track may start.
 std::vector<fit::BasisTerm> turbulentLaws(const fit::Excitation& excitation, double least, double largest) {
-  constexpr int kFrequencies = 7;  // neighbours differ by a factor of 1.4, less than the width of the resonance
+  constexpr int kFrequencies = 7;  // adjacent frequencies differ by a factor of 1.4, less than a resonance is wide
   std::vector<fit::BasisTerm> laws;
   for (int i = 0; i < kFrequencies; ++i) {
     const double frequency = least * std::pow(largest / least, (i + 0.5) / kFrequencies);

@@ -27,7 +27,7 @@ void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& ter
   }
 }
 
-// Adds flow that is faster the farther the force exceeds a limit. The force reaches two to five times the limit.
+// Adds flow whose rate grows with the excess of the force over a limit. The force reaches two to five times the limit.
 void addOverstress(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   for (const double share : {0.02, 0.07, 0.25}) {
     for (const double rate_share : {0.07, 0.3, 1.0}) {

@@ -22,7 +22,7 @@ double decadesPerEnergy(const fit::Excitation& excitation) {
 // Returns the largest activation energy. It may be negative, to correct a configured shift that is too large.
 double largestEnergy(const fit::Excitation& excitation) {
   constexpr double kMost = 5e5;          // in J/mol, at the glass transition
-  constexpr double kMostDecades = 16.0;  // in the range of the logs; the law is valid to 20 decades of slower rates
+  constexpr double kMostDecades = 16.0;  // decades over the range of the logs; the law is valid up to 20
   return std::min(kMost, kMostDecades / decadesPerEnergy(excitation));
 }
 
@@ -39,7 +39,7 @@ fit::BasisTerm rates(const fit::Excitation& excitation, double reference) {
 }
 
 // Adds relaxation that only the shift moves to the frequencies of the logs. At these frequencies, an unshifted branch
-// is a spring or has no force, to within a percent of its largest stiffness.
+// acts as a spring or adds no force, apart from about 1 % of its largest stiffness.
 void addRelaxationBeyond(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   const auto add = [&](double frequency) {
     terms.push_back(
@@ -60,7 +60,7 @@ fit::BasisTerm stiffness(double reference, double reach) {
   constexpr double kTypical = 3e-3;  // in 1/K; 1/293 for entropy elasticity, 0.001 to 0.01 for fillers
   fit::BasisTerm term = fit::additiveTerm("vertical_shift", "coefficient", kTypical, {{"reference", {reference}}});
   term.additive = false;
-  term.upper = 0.8 / (2.0 * reach + 20.0);  // positive up to twice the temperature range from the reference
+  term.upper = 0.8 / (2.0 * reach + 20.0);  // keeps the stiffness positive far outside the temperatures of the logs
   term.lower = -term.upper;
   return term;
 }
