@@ -191,7 +191,7 @@ struct GapShare {
   double squares_at_least = kNotComputed;
 };
 
-/// Deviation of a number of the data sheet in the logs.
+/// Deviation from the data sheet of a number that the logs determine.
 struct SheetDeviation {
   std::string name;         ///< a key of the specification
   double tolerances = 0.0;  ///< (value in the logs - value of the data sheet) / tolerance

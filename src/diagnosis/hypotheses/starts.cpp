@@ -11,7 +11,7 @@ namespace rubber_suspension::diagnosis::hypotheses {
 namespace {
 
 constexpr int kLeastIterations = 6;
-constexpr int kToldIterations = 20;  // for starts that the logs suggest, which are far from the configured values
+constexpr int kToldIterations = 20;  // for a start that the logs suggest, which is far from the configured values
 constexpr int kFurtherIterations = 3;
 constexpr int kAloneIterations = 4;
 constexpr int kZeroIterations = 2;

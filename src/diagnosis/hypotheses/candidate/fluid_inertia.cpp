@@ -46,7 +46,7 @@ fit::BasisTerm turbulentTerm(const fit::Excitation& excitation, double resonance
 }
 
 // Returns tracks with resonances about one frequency [Hz]. Together they represent any damping, and resonances that lie
-// between theirs or depend on the amplitude.
+// between the listed ones or depend on the amplitude.
 std::vector<fit::BasisTerm> tracksAt(const fit::Excitation& excitation, double frequency) {
   constexpr double kBeside = 1.18;  // ratio of adjacent resonance frequencies
   constexpr double kDecoupled = 0.25;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array<double, 3> kBands = {0.03, 0.15, 0.7};  // break frequencies / highest frequency of the motion
 
-// Adds Maxwell elements whose flow large forces accelerate, and others whose flow begins at a limit of the force.
+// Adds Maxwell elements whose flow is accelerated by large forces, and others that flow beyond a limit of the force.
 void addFlow(const fit::Excitation& excitation, std::vector<fit::BasisTerm>& terms) {
   const auto add = [&](const char* law, const char* limit, double band, double share,
                        element::ParameterValues shape = {}) {
