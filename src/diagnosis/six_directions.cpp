@@ -37,7 +37,6 @@ std::optional<Direction> partnerOf(const io::SixDirectionsDescription& six, Dire
   return shares ? std::optional(other) : std::nullopt;
 }
 
-// Returns the names of the directions that can be diagnosed by themselves.
 std::string acceptedDirections(const io::SixDirectionsDescription& six) {
   std::string list;
   for (std::size_t i = 0; i < component::kDirections; ++i) {
@@ -150,7 +149,6 @@ io::ComponentDescription augmentedOf(const io::ComponentDescription& component,
   return augmented;
 }
 
-// Replaces the forces in `measured` by the residuals of the component.
 void subtractSimulated(const component::SixDirections& component, const log::PoseLog& log, SixLogs& measured) {
   const SixLogs simulated = gap::directionLogs(component, log, gap::replayPoses(component, log).wrench);
   for (std::size_t k = 0; k < component::kDirections; ++k) {

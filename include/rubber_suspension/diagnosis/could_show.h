@@ -1,4 +1,4 @@
-// Effects that logs could have shown: the predicted judgement if each effect is added to the logs at a stated size.
+// Effects that logs could have shown, with the predicted judgement if each is added at a stated size. Throws nothing.
 #pragma once
 
 #include <string>

@@ -155,6 +155,7 @@ struct TakenOut {
 /// Re-estimated value of each parameter divided by its configured value, by name.
 using ParameterRatios = std::vector<std::pair<std::string, double>>;
 
+/// A file that a diagnosis read.
 struct InputFile {
   std::string option;  ///< command-line option that named the file
   std::string name;    ///< file name without its folder
@@ -206,6 +207,7 @@ struct WholeStiffness {
   std::array<double, 2> loss_angle{};  ///< loss angle as configured and as augmented [rad]
 };
 
+/// An experiment to run on the bench.
 struct ProposedExperiment {
   std::string description;
   double dt = 0.0;                   ///< [s]
@@ -317,6 +319,7 @@ struct Where {
   CharacteristicErrors augmented;
 };
 
+/// The model parameters and their deviations from the data sheet.
 struct OwnParameters {
   ParameterRatios ratios;
   std::vector<SheetDeviation> sheet_deviations;  ///< deviations of the judged model, the largest first
@@ -324,16 +327,19 @@ struct OwnParameters {
   bool guess = false;  ///< the data sheet is a guess, so that its values are identified from the logs
 };
 
+/// The logs, and the errors that were removed from each.
 struct AdmittedLogs {
   std::vector<Admission> admission;
   std::vector<TakenOut> taken_out;  ///< errors in the order of the logs
 };
 
+/// The recommended next step.
 struct NextStep {
   std::string text;
   ProposedExperiment proposed;
 };
 
+/// Numbers of samples that a search used and that the logs contain.
 struct Samples {
   std::size_t searched = 0;
   std::size_t recorded = 0;  ///< samples of the logs; more than `searched` if the search used excerpts

@@ -5,7 +5,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Probabilities of the answers of a diagnosis, which add up to 1. They are NaN if nothing was judged.
+/// Probabilities of the answers of a diagnosis, which add up to 1; NaN if nothing was judged. Throws nothing.
 struct Posterior {
   double none = std::numeric_limits<double>::quiet_NaN();  ///< no gap beyond noise
   /// The model's own values are wrong, and no effect is missing.

@@ -25,6 +25,7 @@ Verdict verdictOf(const std::string& word);
 
 std::ostream& operator<<(std::ostream& stream, Verdict verdict);
 
+/// Returns true for verdicts that name effects.
 bool namesEffects(Verdict verdict);
 
 /// Returns true for verdicts that report a residual force of unknown cause.

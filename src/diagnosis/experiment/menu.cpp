@@ -28,7 +28,6 @@ double eased(double t, double duration) {
   return t <= 0.0 ? 0.0 : t >= duration ? 1.0 : 0.5 - 0.5 * std::cos(element::kPi * t / duration);
 }
 
-// Returns a triangular wave of amplitude 1 and period 1 that begins at 0.
 double triangle(double t) { return 2.0 / element::kPi * std::asin(std::sin(kTwoPi * t)); }
 
 // What defines a motion of the menu.

@@ -98,7 +98,6 @@ class Projected {
   Eigen::MatrixXd projected_;  // normal matrix of the basis terms after elimination of the model parameters
 };
 
-// Returns the indices of the basis terms that represent the forms of an effect.
 std::vector<std::size_t> shapesOf(std::size_t terms) {
   std::vector<std::size_t> places;
   const std::size_t count = std::min(terms, kMostShapes);

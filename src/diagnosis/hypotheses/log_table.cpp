@@ -108,7 +108,6 @@ std::vector<double> octavesOf(const Eigen::VectorXd& modelled, const std::vector
   return octaves;
 }
 
-// Returns the values of those octaves whose weight is not negligible.
 std::vector<double> whereCounted(const std::vector<double>& values, const std::vector<double>& octaves) {
   constexpr double kLeast = 1e-3;
   std::vector<double> counted;

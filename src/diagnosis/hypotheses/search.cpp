@@ -114,7 +114,6 @@ class Searcher {
     }
   }
 
-  // Re-estimates the model and, at the same time, summarises the excitation.
   void reEstimate() {
     const fit::Hypothesis model;
     const std::array<std::function<void()>, 2> tasks = {

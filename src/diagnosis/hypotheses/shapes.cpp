@@ -16,7 +16,6 @@ namespace {
 constexpr int kGrid = 5;         // number of values, evenly spaced on a logarithmic axis
 constexpr int kRefinements = 2;  // number of refinements, each of which halves the distance between values
 
-// State of the search for the parameter of one candidate.
 struct Shape {
   fit::Candidate* candidate;
   double best = 0.0;

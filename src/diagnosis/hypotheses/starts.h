@@ -20,8 +20,8 @@ void fitSingle(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_e
 void fitGains(const fit::HypothesisFitter& fitter, const FittedHypothesis& re_estimated, double reach,
               FittedHypothesis& single);
 
-/// Fits several effects from `start`, for which the normal equations predict the least error. If the error there is not
-/// less than that of `from`, a fit of some of the effects, starts from the parameters of `from`.
+/// Fits several effects from `start`, for which normal equations predict the least error. If the error there is not
+/// less than the error of `from`, a fit of some of the effects, the fit starts from the parameters of `from`.
 void fitFurther(const fit::HypothesisFitter& fitter, const FittedHypothesis& from, const fit::ParameterVector& start,
                 double reach, FittedHypothesis& further);
 

@@ -39,7 +39,6 @@ struct Answer {
 /// never `unknown` if a set halves the squared residual (toldByHalving()).
 Answer answer(const SetPosterior& posterior, std::size_t effects);
 
-/// Returns the answer that follows from a table of scores.
 Answer answer(const ScoreTable& table, const JudgeNumbers& numbers = fittedNumbers());
 
 /// Returns the answer that follows from the evidence. Throws std::invalid_argument like scoreTable().

@@ -19,7 +19,7 @@ struct HypothesisEvidence {
   fit::PerLogNuisances free_in_log;  ///< parameters that are free in each log
   bool idle = false;          ///< an effect removes no more than chance would, so that the hypothesis is inadmissible
   bool keeps_values = false;  ///< model parameters are as configured, because the effect is equivalent to changing them
-  double chi_squared = 0.0;   ///< sum of the squared deviations from the data sheet, each divided by its tolerance
+  double chi_squared = 0.0;   ///< sum of the squares of (deviation from the data sheet / its tolerance)
   std::vector<double> log_errors;  ///< for each log: error in blocks that took no part in the fit
   /// For each member, a list over the logs: size of the force that the member adds.
   std::vector<std::vector<double>> sizes;
