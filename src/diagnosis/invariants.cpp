@@ -96,8 +96,8 @@ bool setsAreProbable(const Diagnosis& d) {
                                                     [&](const auto& set) { return all(set, listed); });
 }
 
-// Returns true if every hypothesis fits its own data at least as well as held-out data, up to chance. An infinite gap,
-// of a law without a finite force on some log, is accepted.
+// Returns true if the gap of every fit on its own data is at most its gap on held-out data, up to chance. Fits with an
+// infinite gap are accepted; their law has no finite force on some log.
 bool noFitPredictsBetter(const Diagnosis& d) {
   const auto holds = [](const hypotheses::FittedHypothesis& fitted) {
     const fit::Fit& fit = fitted.fit;

@@ -131,8 +131,8 @@ std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesi
   return rows;
 }
 
-// Stores the sizes that laws remove in addition to the laws that they contain. These sizes have the prior of sizes of
-// effects, because a law without the additional part equals a contained one.
+// Stores the sizes that laws remove in addition to the laws that they contain. Such an addition has the prior of the
+// size of an effect, because a law without it equals a contained law.
 void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTable& table) {
   std::vector<double>& sizes = table.sizes_beyond.emplace_back();
   for (const int member : table.members[hypothesis]) {

@@ -87,7 +87,7 @@ std::vector<fit::TablePoint> menuOf(const std::vector<fit::TablePoint>& points, 
   return menu;
 }
 
-// A row, the explanation whose K* is nearest to that of the judged model there, and the relative difference of both.
+// A row, the explanation that is nearest to the judged model there, and the relative difference of their K*.
 struct Difference {
   fit::TablePoint row;
   std::size_t rival = 0;
