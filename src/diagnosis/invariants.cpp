@@ -123,7 +123,7 @@ bool whatIsNamedCloses(const Diagnosis& d) {
   }
   const Gap& gap = d.gaps.unseen;
   return (gap.augmented < gap.re_estimated && d.gaps.closed_interval[0] > 0.0) ||
-         (gap.augmented < gap.as_configured && d.workings->evidence.isNearerToTheSheet(d.workings->answer.model));
+         (gap.augmented < gap.as_configured && d.workings->isNearerToTheSheet(d.workings->answer.model));
 }
 
 bool closedIsOfTheGaps(const Diagnosis& d) {

@@ -71,6 +71,11 @@ struct Workings {
     table = judge::scoreTable(evidence);
     answer = judge::answer(table);
   }
+
+  /// Returns true if the values of a hypothesis lie nearer to the data sheet than those re-estimated without effects.
+  bool isNearerToTheSheet(int hypothesis) const {
+    return evidence.at(hypothesis).chi_squared < evidence.at(judge::Evidence::kReEstimated).chi_squared;
+  }
 };
 
 }  // namespace rubber_suspension::diagnosis

@@ -56,9 +56,6 @@ struct Evidence {
   std::vector<bool> excluded = {};  ///< for each effect: its hypotheses are inadmissible; empty if none is excluded
 
   const HypothesisEvidence& at(int hypothesis) const { return hypotheses[static_cast<std::size_t>(hypothesis)]; }
-
-  /// Returns true if a hypothesis has values nearer to the data sheet than those re-estimated without effects.
-  bool isNearerToTheSheet(int hypothesis) const { return at(hypothesis).chi_squared < at(kReEstimated).chi_squared; }
 };
 
 }  // namespace rubber_suspension::diagnosis::judge

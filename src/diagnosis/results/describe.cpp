@@ -203,7 +203,7 @@ class Describer {
       return gap::gapOfParts(gap::partErrors(recordsOfGap(), simulated(prepared_.component.allElements())));
     };
     return left < gap::gapOfParts(before_.unseen()) ||
-           (workings_.evidence.isNearerToTheSheet(answer_.model) && left < configured());
+           (workings_.isNearerToTheSheet(answer_.model) && left < configured());
   }
 
   // Lower bound of the squares that the law of each named effect removes, all else being unchanged.
