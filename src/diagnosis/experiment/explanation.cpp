@@ -51,7 +51,8 @@ std::vector<Explanation> explanationsOf(const Workings& workings) {
     const hypotheses::FittedHypothesis& fitted = workings.search.at(hypothesis);
     if (explanations.size() < kMost && std::isfinite(fitted.fit.held_out) && probability > 0.0) {
       explanations.push_back({&fitted, probability, onAverage(squares, hypothesis), onAverage(losses, hypothesis),
-                              judge::usualSize(table, judge::fittedNumbers())});
+                              judge::usualSize(table, judge::fittedNumbers()),
+                              judge::sharpnessOf(table, judge::fittedNumbers())});
       sum += probability;
     }
   }
@@ -95,7 +96,7 @@ Outlook outlookOf(std::size_t right, const std::vector<Explanation>& explanation
       const Explanation& one = explanations[e];
       const double loss = judge::lossOf(form_error + refitted[e].left, one.expected + noise, numbers);
       const double change = (loss - one.loss) / (logs + 1.0);
-      weights[e] = one.probability * std::exp(refitted[e].prior - 0.5 * numbers.sharpness * change);
+      weights[e] = one.probability * std::exp(refitted[e].prior - 0.5 * one.sharpness * change);
     }
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     outlook.alone += weights[right] >= judge::kListed * sum ? 1.0 / kDraws : 0.0;
