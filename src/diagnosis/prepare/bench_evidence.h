@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// A log and the force of the configured component on its displacement [N].
+/// A log, and the force [N] that the configured component has on the displacement of the log.
 struct ComparedLog {
   log::Record record;
   Eigen::VectorXd simulated;
@@ -22,7 +22,7 @@ struct ComparedLog {
 /// A log with a fatal finding.
 struct CheckedLog {
   ComparedLog as_recorded;
-  std::string correction;  ///< proposed by the finding; empty if there is none
+  std::string correction;  ///< text of the correction that the finding proposes; empty if it proposes none
   std::optional<ComparedLog> corrected;
 };
 
@@ -30,7 +30,7 @@ struct CheckedLog {
 
 namespace rubber_suspension::diagnosis {
 
-/// Logs with a fatal finding, for figures. Declared in diagnosis.h.
+/// Logs with a fatal finding, which the report draws. diagnosis.h declares the class.
 struct BenchEvidence {
   std::vector<prepare::CheckedLog> logs;
 };
@@ -39,12 +39,12 @@ struct BenchEvidence {
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Returns the first three logs with a fatal finding that can be simulated, without those that are too short.
+/// Returns the first three logs that have a fatal finding other than "too short" and that can be simulated.
 BenchEvidence benchEvidence(const std::vector<element::ElementDescription>& elements,
                             const std::vector<log::Record>& records,
                             const std::vector<measurement::RigFinding>& findings);
 
-/// Returns the diagnosis check_bench, with the first fatal finding as its reason.
+/// Returns a diagnosis with the verdict check_bench, whose sentence states the first fatal finding.
 Diagnosis refused(const io::ComponentDescription& component, std::vector<measurement::RigFinding> findings);
 
 }  // namespace rubber_suspension::diagnosis::prepare

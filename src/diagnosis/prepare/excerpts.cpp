@@ -1,4 +1,4 @@
-// Excerpts of logs.
+// Selects excerpts of long logs.
 #include "diagnosis/prepare/excerpts.h"
 
 #include <fmt/format.h>
@@ -16,10 +16,10 @@
 namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
-constexpr std::size_t kWindows = 8;        // per log: its beginning, its largest motion, and six of other amplitudes
-constexpr double kCyclesOfExcerpt = 10.0;  // per window: the first does not count, and folds need several
-constexpr double kMoves = 0.1;             // of the largest standard deviation of a window: less is a standstill
-constexpr std::size_t kLeastShare = 2000;  // samples per log, however many logs there are: ten cycles of 200 samples
+constexpr std::size_t kWindows = 8;  // windows per log: its beginning, its largest motion, and six of other amplitudes
+constexpr double kCyclesOfExcerpt = 10.0;  // cycles per window: the first is not compared, and folds need several
+constexpr double kMoves = 0.1;  // a window that moves less than this share of the largest motion is at standstill
+constexpr std::size_t kLeastShare = 2000;  // least number of samples per log: ten cycles of 200 samples
 
 struct Window {
   std::size_t first;
@@ -48,12 +48,13 @@ std::vector<double> motionOf(const LogSurvey& log, const std::vector<Window>& wi
   return element::each(windows, [&](const Window& window) { return log.motion.deviation(window.first, window.last); });
 }
 
-// Standard deviation of the displacement [m] below which a window is at standstill.
+// Returns the standard deviation of the displacement [m] below which a window is at standstill.
 double standstillOf(const std::vector<double>& motion) {
   return kMoves * *std::max_element(motion.begin(), motion.end());
 }
 
-// Indices of up to `count` windows, ascending. The first window and the one with the largest motion have priority.
+// Returns the indices of up to `count` windows in ascending order. The first window and the window with the largest
+// motion have priority.
 std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t largest, std::size_t count) {
   const double least = standstillOf(motion);
   std::vector<std::size_t> chosen;
@@ -70,7 +71,7 @@ std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t l
   }
   std::stable_sort(others.begin(), others.end(), [&](std::size_t a, std::size_t b) { return motion[a] < motion[b]; });
   const std::size_t further = std::min(count - chosen.size(), others.size());
-  for (std::size_t i = 0; i < further; ++i) {  // the middle of each of `further` groups
+  for (std::size_t i = 0; i < further; ++i) {  // the middle window of each of `further` groups
     chosen.push_back(others[(2 * i + 1) * others.size() / (2 * further)]);
   }
   std::sort(chosen.begin(), chosen.end());
@@ -98,8 +99,8 @@ std::string nameOf(const log::Log& part, const LogSurvey& log) {
 
 double secondsBetween(std::int64_t earlier, std::int64_t later) { return static_cast<double>(later - earlier) * 1e-9; }
 
-// Lead-in over a time gap. It ends one time step before the stretch, with the displacement on the straight line across
-// the gap, as in `replay` and the node.
+// Returns the lead-in over a time gap. The lead-in ends one time step before the stretch, with the displacement on the
+// straight line across the gap, as in `replay` and the node.
 log::LeadIn stepOver(const log::Log& before, std::size_t last, const log::Log& stretch) {
   const double step = secondsBetween(stretch.stamp[0], stretch.stamp[1]);
   const double gap = secondsBetween(before.stamp[last], stretch.stamp[0]);
@@ -112,13 +113,13 @@ bool changes(const std::vector<double>& values) {
   return *low < *high;
 }
 
-// Splits a log or an excerpt at its time gaps, because no spectrum may include one. Omits stretches of which no record
-// can be made; adds the log as it is if no stretch remains.
+// Splits a log or an excerpt at its time gaps, because a spectrum must not span a gap. Stretches from which no record
+// can be made are omitted. If no stretch remains, the log is added unsplit.
 void addStretches(const LogSurvey& survey, log::Log log, log::LeadIn lead_in, std::vector<log::Log>& logs,
                   std::vector<log::LeadIn>& lead_ins) {
   const std::vector<std::size_t> first = log::stretchesOf(log);
-  std::size_t last = 0;      // sample of the stretch added last
-  std::size_t left_out = 0;  // samples
+  std::size_t last = 0;      // last sample of the stretch that was added last
+  std::size_t left_out = 0;  // number of samples in omitted stretches
   const std::size_t before = logs.size();
   for (std::size_t i = 0; first.size() > 1 && !log.force.empty() && i < first.size(); ++i) {
     const std::size_t end = i + 1 < first.size() ? first[i + 1] : log.size();
@@ -145,7 +146,7 @@ void addStretches(const LogSurvey& survey, log::Log log, log::LeadIn lead_in, st
 // Reads the excerpts of a log and their lead-ins in one pass.
 class ExcerptTaker {
  public:
-  /// `windows`: ascending; `coarse`: samples per step of a lead-in.
+  /// `windows` are in ascending order; `coarse` is the number of samples per step of a lead-in.
   ExcerptTaker(const LogSurvey& log, const std::vector<Window>& windows, std::size_t coarse, double standstill)
       : log_(log) {
     std::size_t done = 0;
@@ -226,8 +227,8 @@ log::Log takeWhole(const LogSurvey& survey) {
   return log;
 }
 
-// Largest number of samples per log for which all logs together have at most `most`, and no less than kLeastShare. Long
-// logs share what short ones do not need.
+// Returns the largest number of samples per log for which all logs together have at most `most` samples, but at least
+// kLeastShare. Samples that short logs do not need go to long logs.
 std::size_t fairShare(const std::vector<std::size_t>& sizes, std::size_t most) {
   std::vector<std::size_t> ascending = sizes;
   std::sort(ascending.begin(), ascending.end());

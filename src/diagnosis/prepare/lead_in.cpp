@@ -1,4 +1,4 @@
-// The motion of a component from one excerpt of a long log to the next.
+// Builds the motion of a component between two excerpts of a long log.
 #include "diagnosis/prepare/lead_in.h"
 
 #include <cmath>
@@ -6,8 +6,8 @@
 namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
-// Largest accepted loss of variance: means over a tenth of a cycle lose 1.6 % of the amplitude of a sine, and 3.2 % of
-// its variance.
+// Largest accepted share of the variance that averaging may lose. Means over a tenth of a cycle lose 1.6 % of the
+// amplitude of a sine, and therefore 3.2 % of its variance.
 constexpr double kMostLost = 0.032;
 
 double varianceOf(double sum, double squares, double count) { return squares / count - (sum / count) * (sum / count); }
@@ -26,7 +26,7 @@ LeadInBuilder::LeadInBuilder(std::size_t first, std::size_t last, std::size_t co
   extremes_.reserve(steps_ + 1);
 }
 
-// Steps form pairs, counted from the last one, so that the first may be single.
+// Steps form pairs that are counted from the last step, so that the first step may be single.
 void LeadInBuilder::beginStep(double displacement) {
   const bool first_of_pair = (steps_ - means_.size()) % 2 == 0 || means_.empty();
   means_.push_back(0.0);

@@ -1,4 +1,4 @@
-// Lines that mains or a pump add to the force of all logs.
+// Finds the lines that mains or a pump add to the force of all logs.
 #include "diagnosis/prepare/lines.h"
 
 #include <fmt/format.h>
@@ -23,25 +23,25 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kLongestBlock = 2.0;  // [s]; the phase of mains hardly drifts in this time
+constexpr double kLongestBlock = 2.0;  // longest block [s]; the phase of mains hardly drifts in this time
 constexpr double kFewestBlocks = 12.0;
-constexpr Index kMainLobe = 2;            // frequencies to each side that belong to a line in a Hann window
-constexpr Index kNeighbours = 6;          // frequencies to each side, less the main lobe, with which a line is compared
-constexpr double kSteady = 0.15;          // standard deviation of a steady amplitude, as a share of it
-constexpr double kDrift = 0.3;            // standard deviation of the drift of the phase from block to block [rad]
-constexpr double kFewestCycles = 8.0;     // in a window for the phase of a line
-constexpr double kShortestWindow = 0.25;  // shortest of these windows [blocks]
-constexpr double kLikely = 3.0;           // least evidence of a line in one log: ln 20
-constexpr double kRare = 4.6;             // -ln of the probability of a line, 1 %
-constexpr double kLoud = 3.0;             // a line is seen beside neighbours that are smaller by this factor
-constexpr int kMultiples = 60;            // harmonics of the motion that the force may contain
-constexpr double kResolved = 2.0;         // least distance of two frequencies, times the duration
+constexpr Index kMainLobe = 2;         // number of frequencies on each side that belong to a line in a Hann window
+constexpr Index kNeighbours = 6;       // number of frequencies on each side up to which a line is compared
+constexpr double kSteady = 0.15;       // standard deviation of a steady amplitude, divided by the amplitude
+constexpr double kDrift = 0.3;         // standard deviation of the phase drift from block to block [rad]
+constexpr double kFewestCycles = 8.0;  // least number of cycles in a window in which the phase of a line is estimated
+constexpr double kShortestWindow = 0.25;  // shortest such window, in lengths of a block
+constexpr double kLikely = 3.0;           // least log Bayes factor of a line in one log: ln 20
+constexpr double kRare = 4.6;             // negative logarithm of the prior probability of a line, 1 %
+constexpr double kLoud = 3.0;             // least ratio of the amplitude of a visible line to its neighbours
+constexpr int kMultiples = 60;            // highest harmonic of the motion that the force may contain
+constexpr double kResolved = 2.0;         // least resolved frequency difference, times the duration
 
 // Oscillation of steady amplitude whose phase drifts slowly.
 struct Line {
   double frequency;  // [Hz]
-  double amplitude;  // in units of the signal
-  double evidence;   // logarithm of the Bayes factor against noise of the same power at this frequency
+  double amplitude;  // unit of the signal
+  double evidence;   // logarithm of the Bayes factor of a line relative to noise of the same power
 };
 
 ArrayXd hannWindow(Index length) {
@@ -55,7 +55,6 @@ double logBessel(double x) {
   return x < kLarge ? std::log(boost::math::cyl_bessel_i(0, x)) : x - 0.5 * std::log(2.0 * element::kPi * x);
 }
 
-// Spectra of successive blocks of a signal.
 class BlockSpectra {
  public:
   BlockSpectra(const VectorXd& signal, double step) {
@@ -66,7 +65,7 @@ class BlockSpectra {
     }
     width_ = 1.0 / (step * static_cast<double>(length));
     if (length <= 2 * kNeighbours) {
-      return;  // too few samples in a block for any line
+      return;  // a block has too few samples for any line
     }
     ArrayXd window = hannWindow(length);
     window *= 2.0 / window.sum();
@@ -81,21 +80,21 @@ class BlockSpectra {
     power_ = spectra_.abs2().colwise().mean();
   }
 
-  double width() const { return width_; }  // distance of neighbouring frequencies [Hz]
+  double width() const { return width_; }  // distance between neighbouring frequencies [Hz]
   double count() const { return static_cast<double>(power_.size()); }
 
-  // Lines above the loudest of their neighbours.
+  // Returns the lines that exceed the loudest of their neighbours.
   std::vector<Line> isolatedLines() const {
     return linesAbove([&](Index i) { return loudestBeside(i); });
   }
 
-  // Lines above the median of their neighbours, by ascending frequency.
+  // Returns the lines that exceed the median of their neighbours, in ascending order of frequency.
   std::vector<Line> allLines() const {
     return linesAbove([&](Index i) { return numerics::medianOf(powersBeside(i)); });
   }
 
-  // True if the amplitude at a frequency exceeds the lower quartile of its neighbours by the factor kLoud. The median
-  // would be too high where several frequencies of a motion lie close together.
+  // Returns true if the amplitude at a frequency exceeds the lower quartile of its neighbours by the factor kLoud. The
+  // median would be too high where a motion has several frequencies close together.
   bool standsOutAt(double frequency) const {
     const auto i = static_cast<Index>(std::lround(std::min(frequency / width_, 1e9)));
     if (i <= kNeighbours || i + kNeighbours >= power_.size()) {
@@ -106,7 +105,7 @@ class BlockSpectra {
     return power_.segment(i - 1, 3).maxCoeff() > kLoud * kLoud * beside[beside.size() / 4];
   }
 
-  // Amplitude of the loudest neighbour; infinite near the ends of the spectrum.
+  // Returns the amplitude of the loudest neighbour, or infinity near the ends of the spectrum.
   double levelAt(double frequency) const {
     return std::sqrt(loudestBeside(static_cast<Index>(std::lround(std::min(frequency / width_, 1e9)))));
   }
@@ -146,12 +145,12 @@ class BlockSpectra {
     return lines;
   }
 
-  // Compares two models of the blocks. For a line, amplitudes have Rice's distribution, and the phase advances from
-  // block to block by von Mises' distribution about a mean; for noise, amplitudes have Rayleigh's distribution, and the
-  // phase advances by any angle.
+  // Computes the Bayes factor of a line relative to noise. If there is a line, the amplitudes of the blocks have a Rice
+  // distribution, and the phase advance between blocks has a von Mises distribution. If there is only noise, the
+  // amplitudes have a Rayleigh distribution, and the phase advance has a uniform distribution.
   Line lineOver(Index i, double beside) const {
     const double square = power_[i] - beside;
-    const double variance = 0.5 * beside + kSteady * kSteady * square;  // of each of the two quadratures
+    const double variance = 0.5 * beside + kSteady * kSteady * square;  // variance of each of the two quadratures
     const double concentration = 1.0 / (kDrift * kDrift + beside / square);
     Complex advance = 0.0;
     double evidence = 0.0;
@@ -165,7 +164,7 @@ class BlockSpectra {
     const auto steps = static_cast<double>(spectra_.rows() - 1);
     evidence += concentration * std::abs(advance) - steps * logBessel(concentration) - 0.5 * std::log(steps);
     double turns = std::arg(advance) / (2.0 * element::kPi);
-    // Half-way between two frequencies the advance is ambiguous: the larger neighbour determines the side.
+    // Half-way between two frequencies the advance is ambiguous; the louder neighbour decides its sign.
     if (std::abs(turns) > 0.25 && turns * (power_[i + 1] - power_[i - 1]) < 0.0) {
       turns -= std::copysign(1.0, turns);
     }
@@ -173,11 +172,12 @@ class BlockSpectra {
   }
 
   double width_ = 0.0;
-  Eigen::ArrayXXcd spectra_;  // amplitudes, block x frequency
-  ArrayXd power_;             // mean square of each frequency's amplitudes
+  Eigen::ArrayXXcd spectra_;  // complex amplitudes; one row per block, one column per frequency
+  ArrayXd power_;             // mean squared amplitude at each frequency, averaged over the blocks
 };
 
-// Number of the multiple of `base` that appears at a frequency in the samples, directly or as an alias; 0 if none does.
+// Returns the smallest k for which k times `base` appears at this frequency, directly or as an alias; 0 if there is
+// none.
 template <class Tolerance>
 int multipleAt(double frequency, double base, double step, int highest, Tolerance tolerance) {
   for (int k = 1; k <= highest; ++k) {
@@ -189,7 +189,7 @@ int multipleAt(double frequency, double base, double step, int highest, Toleranc
   return 0;
 }
 
-// A log in which lines are sought.
+// A log that is searched for lines.
 struct LineLog {
   LineLog(const log::Record& log, const VectorXd& simulated)
       : record(log),
@@ -206,7 +206,7 @@ struct LineLog {
     return found == lines.end() ? nullptr : &*found;
   }
 
-  // True if the motion could cause a line at this frequency.
+  // Returns true if the motion could cause a line at this frequency.
   bool mayMoveAt(double frequency) const {
     const auto isMultiple = [&](double of_motion, double base) {
       const auto resolved = [&](double) { return kResolved / record.duration(); };
@@ -225,8 +225,8 @@ struct LineLog {
   std::vector<Line> motion;
 };
 
-// True if no log that should show the line lacks it, and the evidence of all logs exceeds what chance would produce at
-// some frequency.
+// Returns true if every log that should show the line does, and if the evidence of all logs together outweighs the low
+// prior probability of a line at any one of the frequencies.
 bool isOfRig(const Line& line, const std::vector<LineLog>& logs) {
   double evidence = -kRare;
   double frequencies = 1.0;
@@ -244,7 +244,7 @@ bool isOfRig(const Line& line, const std::vector<LineLog>& logs) {
   return evidence > std::log(frequencies);
 }
 
-// Lines of the rig, none within the width of another, from low to high frequency.
+// Returns the lines of the rig in ascending order of frequency. Each is at least one frequency step from the others.
 std::vector<Line> linesOfAll(const std::vector<LineLog>& logs) {
   std::vector<Line> candidates;
   for (const LineLog& log : logs) {
@@ -264,11 +264,11 @@ std::vector<Line> linesOfAll(const std::vector<LineLog>& logs) {
   return lines;
 }
 
-// ", harmonic 2 of 50.0 Hz" or ", perhaps 450 Hz, which 500 samples per second show there" if the line is a harmonic or
-// an alias of another line or of mains; otherwise empty.
+// Returns ", harmonic 2 of 50.0 Hz" or ", perhaps 450 Hz, which 500 samples per second show there" if the line is a
+// harmonic or an alias of another line or of mains. Otherwise returns an empty text.
 std::string originOf(double frequency, double step, const std::vector<Line>& lines) {
   constexpr int kHighestHarmonic = 10;
-  const auto held = [](double f) { return 2e-3 * f; };  // mains and machines have a steady frequency
+  const auto held = [](double f) { return 2e-3 * f; };  // mains and rotating machines have a steady frequency
   std::vector<double> bases;
   for (const Line& line : lines) {
     if (line.frequency < 0.9 * frequency) {
@@ -288,8 +288,8 @@ std::string originOf(double frequency, double step, const std::vector<Line>& lin
   return "";
 }
 
-// Estimates a line in a signal: its phase near a frequency in windows of a given width [s], then its amplitude with
-// this phase. `finding` receives the amplitude and its interval.
+// Returns the line at this frequency in a signal. Its phase is estimated in windows of a given length [s], then its
+// amplitude with this phase. Writes the amplitude and its interval to `finding`.
 VectorXd lineIn(const VectorXd& signal, double step, double frequency, double window,
                 measurement::RigFinding& finding) {
   const auto hop = static_cast<Index>(std::ceil(0.25 * window / step));
@@ -314,7 +314,7 @@ VectorXd lineIn(const VectorXd& signal, double step, double frequency, double wi
     const Complex between = (1.0 - place) * phasors[i / hop] + place * phasors[i / hop + 1];
     line[i] = (carrier[i] * between).real() / std::max(std::abs(between), 1e-300);
   }
-  constexpr Index kParts = 20;  // of the signal, whose scatter gives the interval of the amplitude
+  constexpr Index kParts = 20;  // the scatter between 20 parts of the signal gives the interval of the amplitude
   constexpr double kNormal95 = 1.96;
   ArrayXd amplitudes(kParts);
   for (Index p = 0; p < kParts; ++p) {

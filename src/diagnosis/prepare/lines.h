@@ -1,4 +1,4 @@
-// Lines that mains or a pump add to the force of all logs.
+// Finds the lines that mains or a pump add to the force of all logs.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,19 +10,21 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Lines of a set of logs.
+/// Spectral lines that the rig adds to the force.
 struct RigLines {
   std::vector<measurement::RigFinding> findings;
-  std::vector<Eigen::VectorXd> forces;  ///< sum of the lines of each log [N]; empty if it has none
+  std::vector<Eigen::VectorXd> forces;  ///< sum of all lines in each log [N]; empty for a log without lines
 };
 
-/// Finds the lines of the rig in the residual: oscillations at one frequency and of steady amplitude, in every log that
-/// could show them. A log cannot show a line
-///   - at a frequency of its displacement, a multiple of one, or an alias of a multiple, because friction and stops
-///     cause lines there; nor any line if its displacement has steady frequencies that are no multiples of the lowest;
-///   - of less than three times the amplitude of the residual beside it, or beyond the spectrum.
-/// The prior probability of a line is 1 %, spread evenly over all frequencies. Of two lines closer than six frequency
-/// steps of a block's spectrum, only the larger one is found.
+/// Finds the lines of the rig in the residual. A line of the rig is an oscillation of fixed frequency and steady
+/// amplitude that appears in every log that could show it. A log cannot show a line
+///   - at a frequency of its displacement, at a multiple of such a frequency or at an alias of a multiple, because
+///     friction and stops cause lines there; it can show no line at all if its displacement has steady frequencies that
+///     are not multiples of the lowest;
+///   - if the amplitude of the line is less than three times that of the residual at neighbouring frequencies, or if
+///     the frequency is outside the spectrum.
+/// The prior probability of a line is 1 %, spread evenly over all frequencies. If two lines are closer than six
+/// frequency steps of the spectrum of a block, only the larger line is found.
 RigLines linesOfRig(const std::vector<log::Record>& records, const gap::Forces& simulated);
 
 }  // namespace rubber_suspension::diagnosis::prepare

@@ -1,4 +1,4 @@
-// First pass over a log, before a diagnosis selects samples.
+// Surveys a log in a first pass, before a diagnosis selects samples.
 #include "diagnosis/prepare/log_survey.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,8 @@ namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
 constexpr std::size_t kMostStretches = 65536;
-constexpr double kCrossing = 0.5;  // hysteresis of a crossing of the mean, in standard deviations: noise does not cross
+// Hysteresis of a crossing of the mean, in standard deviations, so that noise is not counted as a crossing.
+constexpr double kCrossing = 0.5;
 
 }  // namespace
 
@@ -40,7 +41,7 @@ std::vector<LogSurvey> surveyLogs(const log::LogSources& sources, const componen
   return surveys;
 }
 
-// A recorder may still append to the log: samples beyond those of the survey are ignored.
+// A recorder may still append to the log. Samples that were appended after the survey are ignored.
 void readAgain(const LogSurvey& survey, const log::LogSource::Take& take) {
   std::size_t seen = 0;
   bool ended = false;
@@ -62,7 +63,7 @@ void readAgain(const LogSurvey& survey, const log::LogSource::Take& take) {
   }
 }
 
-// Combines moments by Chan, Golub and LeVeque, The American Statistician 37 (1983).
+// Combines moments as in Chan, Golub and LeVeque, The American Statistician 37 (1983).
 MotionSurvey::Stretch MotionSurvey::joined(const Stretch& a, const Stretch& b) {
   Stretch both;
   both.count = a.count + b.count;

@@ -1,4 +1,4 @@
-// First pass over a log, which finds its motion and time steps before a diagnosis selects samples.
+// Surveys the motion and the time steps of a log in a first pass, before a diagnosis selects samples.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Moments and extremes of the displacement over stretches of equal length, which doubles as the log grows, so that
-/// there are at most 65,536 stretches.
+/// Moments and extremes of the displacement over stretches of equal length. The length doubles as the log grows, so
+/// that there are at most 65,536 stretches.
 class MotionSurvey {
  public:
   void add(const std::vector<double>& displacement);
@@ -23,21 +23,21 @@ class MotionSurvey {
   /// Returns the number of samples in a stretch; the last stretch may have fewer.
   std::size_t stretch() const { return length_; }
 
-  /// Returns the standard deviation [m] over the samples [first, last), both at limits of stretches.
+  /// Returns the standard deviation [m] of the samples [first, last). Both indices have to be limits of stretches.
   double deviation(std::size_t first, std::size_t last) const;
 
-  /// Returns the first sample of the first stretch that contains the displacement of largest magnitude.
+  /// Returns the index of the first sample of the stretch that contains the largest absolute displacement.
   std::size_t largest() const;
 
-  /// Returns the mean number of samples per cycle, from the crossings of the mean. It is at least stretch(), because at
-  /// most two crossings per stretch are counted.
+  /// Returns the mean number of samples per cycle, computed from the crossings of the mean. The result is at least
+  /// stretch(), because at most two crossings per stretch are counted.
   double samplesPerCycle() const;
 
  private:
   struct Stretch {
     double count = 0.0;
     double mean = 0.0;
-    double squares = 0.0;  // about the mean
+    double squares = 0.0;  // sum of the squared deviations from the mean
     double low = 0.0;
     double high = 0.0;
     bool low_first = false;
@@ -53,7 +53,6 @@ class MotionSurvey {
   std::vector<Stretch> stretches_;
 };
 
-/// Results of the first pass over a log.
 struct LogSurvey {
   std::shared_ptr<const log::LogSource> source;
   std::vector<std::string> notes;
@@ -65,14 +64,14 @@ struct LogSurvey {
   double duration() const;  ///< [s]
 };
 
-/// Surveys a log in bounded memory. Throws LogError if it cannot be read, or has a temperature for which the
-/// component's temperature shifts do not hold.
+/// Surveys a log in bounded memory. Throws LogError if the log cannot be read, or if it has a temperature outside the
+/// range of the component's temperature shifts.
 LogSurvey surveyLog(std::shared_ptr<const log::LogSource> source, const component::Component& component);
 
 /// Surveys all logs, in up to `threads` threads.
 std::vector<LogSurvey> surveyLogs(const log::LogSources& sources, const component::Component& component, int threads);
 
-/// Reads the samples of a surveyed log again. Throws LogError if it has fewer of them than before.
+/// Reads the samples of a surveyed log again. Throws LogError if the log has become shorter since the survey.
 void readAgain(const LogSurvey& survey, const log::LogSource::Take& take);
 
 }  // namespace rubber_suspension::diagnosis::prepare

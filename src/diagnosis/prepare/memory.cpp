@@ -1,4 +1,4 @@
-// Memory needed by a diagnosis.
+// Estimates the memory that a diagnosis needs.
 #include "diagnosis/prepare/memory.h"
 
 #include <fmt/format.h>
@@ -11,21 +11,21 @@
 namespace rubber_suspension::diagnosis::prepare {
 namespace {
 
-// Every basis term of every candidate keeps its force over all samples, and each thread has columns of its own.
-// Measured as the resident memory at its peak, less the program's own: with two threads 3530 bytes a sample of one log
-// of 120,000 samples and 3570 of one of 100,000 (test/usage/memory_limit_trial.py). Each thread needs more where many
+// Each basis term of each candidate stores its force on all samples, and each thread stores forces of its own. Measured
+// with test/usage/memory_limit_trial.py as the peak resident memory minus that of the program: with two threads, 3530
+// bytes per sample for a log of 120,000 samples and 3570 bytes for one of 100,000 samples. A thread needs more if many
 // effects have to be simulated.
 constexpr std::uint64_t kBytesPerSample = 3150;
 constexpr std::uint64_t kBytesPerSampleAndThread = 250;
 constexpr std::uint64_t kBytesOfProgram = 64 * 1024 * 1024;
-constexpr std::uint64_t kBytesOfThread = 16 * 1024 * 1024;  // its stack and the arena of its allocator
+constexpr std::uint64_t kBytesOfThread = 16 * 1024 * 1024;  // stack of the thread and arena of its allocator
 
 std::string readable(std::uint64_t bytes) {
   const double mebibytes = static_cast<double>(bytes) / (1024.0 * 1024.0);
   return mebibytes < 1000.0 ? fmt::format("{:.0f} MiB", mebibytes) : fmt::format("{:.1f} GiB", mebibytes / 1024.0);
 }
 
-// Products of all columns that no fit changes, at most some 200, over each block of the logs (fit::LogBlocks).
+// Each block of the logs (fit::LogBlocks) stores the products of at most some 200 columns of the least-squares system.
 constexpr std::uint64_t kBytesPerBlock = 400 * 1024;
 
 std::uint64_t blocksOf(std::uint64_t stretches) {

@@ -1,4 +1,4 @@
-// Memory needed by a diagnosis, so that logs too large for the machine are refused before the search.
+// Estimates the memory that a diagnosis needs, so that logs too large for this computer are refused before the search.
 #pragma once
 
 #include <cstddef>
@@ -6,16 +6,17 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Samples of a search, and the stretches of logs that they form.
+/// Number of samples in a search, and number of contiguous stretches of logs that they form.
 struct Searched {
   std::size_t samples = 0;
   std::size_t stretches = 0;
 };
 
-/// Returns an upper bound of the memory that a diagnosis needs besides logs that are in memory [bytes].
+/// Returns an upper bound [bytes] of the memory that a diagnosis needs, not counting logs that are in memory already.
 std::uint64_t memoryNeeded(const Searched& searched, int threads);
 
-/// Throws log::LogError if such a diagnosis, of logs of `recorded` samples, needs more than what is available [bytes].
+/// Throws log::LogError if the diagnosis needs more memory than the `available` bytes. `recorded` is the number of
+/// samples in the logs, which the message states.
 void requireMemory(const Searched& searched, std::size_t recorded, int threads, std::uint64_t available);
 
 }  // namespace rubber_suspension::diagnosis::prepare

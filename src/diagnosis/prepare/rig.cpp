@@ -1,4 +1,4 @@
-// Priors of the errors of the rig in each log.
+// Computes prior distributions of the errors of the rig in each log.
 #include "diagnosis/prepare/rig.h"
 
 #include <algorithm>
@@ -24,14 +24,14 @@ namespace {
 
 using Records = std::vector<gap::PreparedRecord>;
 
-constexpr int kIterations = 8;          // of the fit about which the priors are computed
-constexpr double kBeyond95 = 0.025;     // probability beyond one side of a 95 % interval
+constexpr int kIterations = 8;          // iterations of the fit at whose result the priors are computed
+constexpr double kBeyond95 = 0.025;     // probability above a 95 % interval, and below it
 constexpr double kNormal95 = 1.96;      // half width of the 95 % interval of a normal variable, in standard deviations
-constexpr std::size_t kFewestLogs = 3;  // from which the scatter of offsets can be estimated
+constexpr std::size_t kFewestLogs = 3;  // least number of logs from which the scatter of offsets is estimated
 
-// Standard deviation of offsets or delays about their mean, because a value that all logs have in common is no scatter
-// of the rig. It is increased for few logs so that 95 % are within 1.96 of it (Student's t); infinite below
-// kFewestLogs.
+// Returns the standard deviation of offsets or delays about their mean, because a value that all logs share is no
+// scatter of the rig. For few logs the result is increased according to Student's t distribution, so that 95 % of the
+// values are within 1.96 standard deviations. Returns infinity for fewer than kFewestLogs values.
 double deviationBy(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   if (values.size() < kFewestLogs) {
@@ -43,7 +43,7 @@ double deviationBy(const std::vector<double>& values) {
   return scatter * boost::math::quantile(boost::math::complement(distribution, kBeyond95)) / kNormal95;
 }
 
-// Largest standard deviations of offsets [N] and delays [s], from their values in all logs.
+// Upper bounds of the standard deviations of offsets [N] and delays [s], estimated from their values in all logs.
 struct Limits {
   double zero = HUGE_VAL;
   double lag = HUGE_VAL;
@@ -55,7 +55,7 @@ struct Limits {
   }
 };
 
-// Force at which Berg's friction of a model slides [N]; 0 if there is none.
+// Returns the force at which the Berg friction of a model slides [N], or 0 if the model has no such friction.
 double bergForce(const std::vector<element::ElementDescription>& elements) {
   double force = 0.0;
   for (const element::ElementDescription& element : elements) {
@@ -64,15 +64,15 @@ double bergForce(const std::vector<element::ElementDescription>& elements) {
   return force;
 }
 
-// True if a log can determine an error of the rig that adds this force at one standard deviation: a slow log does not
-// determine delays.
+// Returns true if a log is able to determine an error of the rig. `deviation` is the force [N] that one standard
+// deviation of the error adds. For example, a slow log cannot determine a delay.
 bool shows(const log::Record& record, const Eigen::VectorXd& deviation) {
-  constexpr double kLeast = 0.01;  // of the force
+  constexpr double kLeast = 0.01;  // share of the standard deviation of the measured force
   return deviation.norm() > kLeast * record.force_deviation * std::sqrt(static_cast<double>(record.size()));
 }
 
-// Adds the offset and the delay of each log. Pieces of one recording have the same offset, so that only whole logs show
-// the scatter of offsets.
+// Appends the offset and the delay of each log. Excerpts with a lead-in are skipped: they share the offset of their
+// recording, so that only whole logs show the scatter of offsets.
 void addValues(const io::RigTolerances& tolerances, const Records& records, const gap::Forces& simulated,
                std::vector<double>& zeros, std::vector<double>& lags) {
   const measurement::RigModel rig(records, element::each(records, measurement::maskOf), tolerances);
@@ -93,8 +93,8 @@ void addValues(const io::RigTolerances& tolerances, const Records& records, cons
   }
 }
 
-// Berg's friction starts in a state that depends on the motion before the log, so that it may offset the force by up to
-// its limit.
+// The initial state of Berg friction depends on the motion before the log. The friction may therefore offset the force
+// by up to its maximum.
 Limits limitsBy(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                 const Records& training, const Records& held_out) {
   std::vector<double> zeros;
@@ -104,8 +104,8 @@ Limits limitsBy(const std::vector<element::ElementDescription>& elements, const 
   return {std::hypot(deviationBy(zeros), bergForce(elements)), deviationBy(lags)};
 }
 
-// Columns [N] of a random walk over the log without its mean: the first cosines of its series. With coefficients of
-// standard deviation 1, their sum has the given standard deviation [N].
+// Returns the first cosines of the series of a random walk without mean over the log [N]. If their coefficients have a
+// standard deviation of 1, the sum of the cosines has the given standard deviation [N].
 Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   constexpr Eigen::Index kCosines = 8;
   const double samples = static_cast<double>(record.size());
@@ -120,8 +120,8 @@ Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   return columns * (deviation / std::sqrt(squares));
 }
 
-// Columns of all errors that the rig may have added, at one standard deviation [N]. Offsets of the displacement are
-// omitted, because their effect depends on the law.
+// Returns one column per error that the rig may have added: the force [N] of one standard deviation of the error.
+// Offsets of the displacement are omitted, because their effect on the force depends on the law.
 Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& limits, const gap::OwnErrors& own,
                              const Eigen::MatrixXd& starts, const Eigen::MatrixXd& slow) {
   Eigen::MatrixXd columns(slow.rows(), rig.columns.cols() + starts.cols() + slow.cols());
@@ -138,8 +138,8 @@ Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& l
   return columns.leftCols(used + starts.cols() + slow.cols());
 }
 
-// Tolerance of an offset of the displacement [m]; 0 for an excerpt, because other excerpts of its log have the same
-// offset.
+// Returns the tolerance of an offset of the displacement [m]. Returns 0 for an excerpt, because all excerpts of a log
+// have the same offset.
 double zeroOfDisplacement(const log::Record& record, const io::RigTolerances& tolerances) {
   const double range = record.displacement.maxCoeff() - record.displacement.minCoeff();
   return record.lead_in.displacement.empty() ? tolerances.displacement_zero.of(range) : 0.0;
@@ -191,7 +191,7 @@ std::vector<double> noiseBeside(const gap::Forces& forces, const Records& record
   return noise;
 }
 
-// Noise floors of logs about a model, limited to what is plausible for a single rig.
+// Noise floors of logs relative to a model, limited to what is plausible for a single rig.
 struct Noise {
   std::vector<double> training;
   std::vector<double> held_out;

@@ -1,4 +1,4 @@
-// Possible errors of the rig in each log, as columns with a prior that every fit includes.
+// Computes prior distributions of the errors of the rig in each log, which every fit includes.
 #pragma once
 
 #include <vector>
@@ -11,21 +11,21 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Source of the scatter of offsets and delays: the logs, or, for simulated logs, the tolerances.
+/// Source of the scatter of offsets and delays: the logs, or for simulated logs the tolerances.
 enum class RigScatter { as_found, as_tolerated };
 
-/// The logs of a diagnosis with possible errors of their rig.
+/// Logs of a diagnosis together with the possible errors of their rig.
 struct LogsOfRig {
   std::vector<gap::PreparedRecord> training;
   std::vector<gap::PreparedRecord> held_out;
 };
 
-/// Returns the records with priors of the errors that the rig may have added to each (gap::RigPrior): offset, delay,
-/// clock, gain, the response to motion before the log, and noise slower than the motion as a random walk, each as wide
-/// as its tolerance. One standard deviation of any of them counts as measurement::ErrorScale::oneDeviation(). If
-/// offsets or delays scatter less over the logs than their tolerance, their priors are narrowed to that scatter, so
-/// that effects have to explain what all logs have in common. Errors of a single record (gap::OwnErrors) may have any
-/// size. The model is estimated again for these priors and for the weights of the logs (weightsByNoise()).
+/// Returns the records with prior distributions of the errors of the rig (gap::RigPrior): offset, delay, clock, gain,
+/// response to the motion before the log, and slow noise as a random walk. The standard deviation of each prior is the
+/// tolerance of the error; in the fit it counts as an error of measurement::ErrorScale::oneDeviation(). If the offsets
+/// or delays of the logs scatter less than their tolerance, their priors are narrowed to that scatter, so that effects
+/// have to explain what all logs have in common. Errors of a single record (gap::OwnErrors) may have any size. The
+/// priors are computed at a model that is first fitted to the logs. The records also get weights (weightsByNoise()).
 LogsOfRig withRigPriors(const fit::ModelParameters& model, const io::RigTolerances& tolerances,
                         const measurement::ErrorScale& scale, std::vector<gap::PreparedRecord> training,
                         std::vector<gap::PreparedRecord> held_out, RigScatter scatter = RigScatter::as_found);
