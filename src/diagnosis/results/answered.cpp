@@ -1,4 +1,4 @@
-// Effects by name, and the part of the gap that each of them closes.
+// Names the effects of an answer and computes the part of the gap that each of them closes.
 #include "diagnosis/results/answered.h"
 
 #include <algorithm>
@@ -23,8 +23,8 @@ double closedBy(double left, const Gap& gap) {
   return std::min(1.0, gap::closedFraction(gap.re_estimated, left, gap.noise_floor));
 }
 
-// Interval of the closed fraction, predicted for further logs and extended to the value on the logs of the gap, which
-// the fit has not seen either.
+// Returns the interval of the closed fraction that is predicted for further logs. The interval is extended to the
+// fraction on the logs of the gap, because the fit did not use these logs either.
 std::array<double, 2> holding(double closed, const Closing& closing, const judge::ScoreTable& table,
                               const DiagnosisOptions& options) {
   const std::array<double, 2> interval = closedOnFurtherLogs(table, closing, options.resamplings, options.seed);
@@ -53,15 +53,15 @@ CandidateResult candidateResult(std::size_t candidate, double left, const Gaps& 
   return result;
 }
 
-// Weight of the Shapley value: share of all orders of so many parts in which a given one follows directly after
-// `before` given others.
+// Returns the weight of the Shapley value: the share of all orders of `parts` parts in which one given part follows
+// directly after `before` given other parts.
 double ordersWith(std::size_t before, std::size_t parts) {
   return boost::math::factorial<double>(static_cast<unsigned>(before)) *
          boost::math::factorial<double>(static_cast<unsigned>(parts - before - 1)) /
          boost::math::factorial<double>(static_cast<unsigned>(parts));
 }
 
-// Excluded effects, with the probabilities that they would have if none were excluded.
+// Returns the excluded effects with the probabilities that they would have if no effect were excluded.
 std::vector<ExcludedEffect> excludedOf(const judge::Evidence& evidence) {
   if (std::count(evidence.excluded.begin(), evidence.excluded.end(), true) == 0) {
     return {};
@@ -148,7 +148,7 @@ std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Ga
                                int threads) {
   const std::size_t parts = 1 + effects.size();
   const std::size_t all = (std::size_t{1} << parts) - 1;
-  std::vector<double> gaps(all + 1);  // by the parts that are included, a bit each
+  std::vector<double> gaps(all + 1);  // indexed by a bit mask of the included parts
   fit::parallelFor(gaps.size(), threads, [&](std::size_t in) {
     std::vector<bool> which;
     for (std::size_t part = 0; part < parts; ++part) {

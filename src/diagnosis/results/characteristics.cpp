@@ -1,4 +1,4 @@
-// Loops of windows of logs, and of the whole component at its nominal point.
+// Computes loops in windows of logs, and the loop of the whole component at its nominal point.
 #include "diagnosis/results/characteristics.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-// Cycles of the mean frequency in a window: enough that an incomplete cycle matters little, and few enough that
-// amplitude and frequency hardly change in most tests.
+// Number of mean cycles in a window. With twelve cycles, an incomplete cycle matters little, and in most tests
+// amplitude and frequency hardly change within a window.
 constexpr double kCyclesOfWindow = 12.0;
 
 struct Loop {
@@ -63,7 +63,9 @@ double medianAmplitude(const std::vector<gap::PreparedRecord>& logs, double freq
   return numerics::medianOf(near.empty() ? all : near);
 }
 
-// Characteristics as a test machine measures them, after some cycles, because heating and drift continue for minutes.
+// Returns the characteristics after at most 20 cycles, as a testing machine measures them. Later cycles would include
+// the
+// heating and drift that continue for minutes.
 std::optional<response::Characteristics> measuredAt(const io::ComponentDescription& component, double frequency,
                                                     double amplitude) {
   response::LoopOptions options;
@@ -94,7 +96,7 @@ CharacteristicErrors characteristicErrors(const std::vector<gap::PreparedRecord>
       const Eigen::VectorXd z = record.displacement.segment(first, length);
       const double range = z.maxCoeff() - z.minCoeff();
       if (range < 1e-3 * (record.displacement.maxCoeff() - record.displacement.minCoeff())) {
-        continue;  // a hold: no loop
+        continue;  // the displacement rests in this window, which has no loop
       }
       const Loop measured = loopOf(z, record.force.segment(first, length));
       const Loop model = loopOf(z, simulated[r].segment(first, length));

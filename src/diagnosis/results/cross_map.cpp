@@ -1,4 +1,4 @@
-// Cross-validated least squares on parts of the logs.
+// Predicts the residual of one direction by the displacement of another, with cross-validated least squares.
 #include "diagnosis/results/cross_map.h"
 
 #include <Eigen/Core>
@@ -12,20 +12,21 @@ namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr std::size_t kFolds = 5;
-constexpr std::size_t kBlocks = 100;         // of each log; every fifth is left out in turn
-constexpr std::size_t kMostMapped = 100000;  // samples of all logs
-constexpr double kLeastOfLargest = 0.02;     // of the motion of the largest translation or rotation
-constexpr double kLeastOfItsOwn = 0.01;      // share of its variance that does not follow the other direction
-constexpr Eigen::Index kOwn = 6;             // columns of the direction alone
-constexpr Eigen::Index kAll = 13;            // columns of both directions
-constexpr Eigen::Index kResidual = kAll;     // column of the residual, behind these
+constexpr std::size_t kBlocks = 100;         // number of blocks per log; each fold is every fifth block
+constexpr std::size_t kMostMapped = 100000;  // approximate upper limit of the samples of all logs
+constexpr double kLeastOfLargest = 0.02;     // least motion relative to the largest translation or rotation
+constexpr double kLeastOfItsOwn =
+    0.01;                         // least share of the variance that the motion of the other direction does not predict
+constexpr Eigen::Index kOwn = 6;  // number of basis functions of one direction alone
+constexpr Eigen::Index kAll = 13;         // number of basis functions of both directions
+constexpr Eigen::Index kResidual = kAll;  // column of the residual, behind the basis functions
 using Moments = Eigen::Matrix<double, kAll + 1, kAll + 1>;
 
 double mean(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())).mean();
 }
 
-// Standard deviation of the displacement over all logs, about the mean of each.
+// Returns the standard deviation of the displacement over all logs, each relative to its own mean.
 double motionOf(const std::vector<DirectionResiduals>& logs, std::size_t direction) {
   double square = 0.0;
   double count = 0.0;
@@ -49,7 +50,7 @@ bool moves(const std::vector<DirectionResiduals>& logs, component::Direction by)
   return largest > 0.0 && motionOf(logs, by) >= kLeastOfLargest * largest;
 }
 
-// Scales the values of all logs to -1 ... 1.
+// Maps the values of all logs linearly to the interval from -1 to 1.
 class Scale {
  public:
   void take(const std::vector<double>& values) {
@@ -67,7 +68,7 @@ class Scale {
   double most_ = -std::numeric_limits<double>::infinity();
 };
 
-// Rates [m/s] at inner samples, 0 at the ends.
+// Returns the rates [m/s] at inner samples, and 0 at the first and the last sample.
 std::vector<double> ratesOf(const log::Log& log) {
   std::vector<double> rates(log.size(), 0.0);
   for (std::size_t i = 1; i + 1 < log.size(); ++i) {
@@ -82,7 +83,7 @@ struct Scales {
   Scale other;
 };
 
-// Adds the products of the columns of a log to those of the fold that each sample belongs to, and returns the number of
+// Evaluates the basis functions on a log, adds their products to the fold of each sample, and returns the number of
 // rows. The means of the log are removed, because an offset of the rig is no coupling.
 Eigen::Index addMoments(const log::Log& own, const log::Log& other, const Scales& scales, std::size_t stride,
                         std::array<Moments, kFolds>& moments) {
@@ -107,7 +108,9 @@ Eigen::Index addMoments(const log::Log& own, const log::Log& other, const Scales
   return rows;
 }
 
-// Squared error in a fold when its first `count` columns predict it with coefficients that are fitted to the others.
+// Returns the squared error of predicting the residual of a fold by the first `count` basis functions. Their
+// coefficients
+// are fitted to the other folds.
 double errorOn(const Moments& fold, const Moments& all, Eigen::Index count) {
   const Moments others = all - fold;
   const Eigen::VectorXd x = numerics::solveLeastNorm(Eigen::MatrixXd(others.topLeftCorner(count, count)),
@@ -116,7 +119,7 @@ double errorOn(const Moments& fold, const Moments& all, Eigen::Index count) {
          x.dot(fold.topLeftCorner(count, count) * x);
 }
 
-// Share of the variance of the other displacement that the motion of the direction does not explain.
+// Returns the share of the variance of the other displacement that the motion of the direction does not explain.
 double apartFrom(const Moments& all) {
   const Eigen::VectorXd column = all.col(kOwn).head(kOwn);
   const Eigen::VectorXd x =

@@ -1,4 +1,4 @@
-// Prediction of the residual of one direction's force by the displacement of another.
+// Predicts the residual of one direction's force by the displacement of another direction.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Directions of a log, with residuals in place of forces.
+/// The six directions of a log, whose force channels contain residuals.
 using DirectionResiduals = std::array<log::Log, component::kDirections>;
 
 /// Returns the CrossShare of a pair of directions over all logs.

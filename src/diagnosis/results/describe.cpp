@@ -1,4 +1,4 @@
-// Description of a judged search.
+// Computes the numbers of a report from a judged search.
 #include "diagnosis/results/describe.h"
 
 #include <algorithm>
@@ -27,12 +27,14 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-constexpr double kHidesTheRig = 0.1;  // of the force: a larger residual conceals errors of the rig
+// A residual above this share of the force conceals errors of the rig.
+constexpr double kHidesTheRig = 0.1;
 
-// Share of the samples of a log whose displacement repeats that of one period before, for the period with most repeats.
-// Repeats distinguish noise from error without a model.
+// Returns the share of the samples whose displacement repeats that of one period before, for the period with the most
+// repeats. The repeats distinguish noise from model error without a model.
 double repeatsOf(const log::Record& record) {
-  constexpr double kSame = 0.05;  // difference over standard deviation that counts as a repeat
+  constexpr double kSame =
+      0.05;  // two displacements are equal if they differ by less than this many standard deviations
   constexpr Eigen::Index kCoarse = 1024;
   const Eigen::Index stride = std::max<Eigen::Index>(1, record.size() / kCoarse);
   const Eigen::Index count = record.size() / stride;
@@ -52,7 +54,8 @@ double repeatsOf(const log::Record& record) {
   return best;
 }
 
-// `noise`: noise floor in units of the force's standard deviation; `account`: what was removed from the log.
+// `noise` is the noise floor divided by the standard deviation of the force. `account` states what was removed from the
+// log.
 Admission admit(const log::Record& record, bool hold_out, double noise, const LogAccount& account) {
   Admission admission;
   admission.log = record.name;
@@ -69,7 +72,7 @@ Admission admit(const log::Record& record, bool hold_out, double noise, const Lo
   return admission;
 }
 
-// Forces of a component on the logs of the fit, then on those held out.
+// Returns the forces of a component on the logs of the fit, followed by those on the held-out logs.
 gap::Forces simulate(const hypotheses::PreparedCase& prepared, const io::ComponentDescription& description) {
   const auto elements = description.allElements();
   gap::Forces forces = gap::simulate(elements, prepared.training, gap::asRecorded);
@@ -93,9 +96,9 @@ Simulated simulateAll(const hypotheses::PreparedCase& prepared, const io::Compon
   return simulated;
 }
 
-// 95 % lower bound of the mean decrease of the squared error by an effect, over parts of the logs. The standard error
-// is estimated from the parts in which the error increases, because a large decrease in the few parts where an effect
-// acts is no uncertainty.
+// Returns a 95 % lower bound of the mean reduction of the squared error by an effect, over the parts of the logs. The
+// standard error is estimated only from parts where the error increases. An effect may act in few parts of the logs,
+// and a large reduction there is no uncertainty.
 double removedAtLeast(const std::vector<gap::PartError>& without, const std::vector<gap::PartError>& with) {
   constexpr double kNormal95 = 1.645;  // one-sided
   double sum = 0.0;
@@ -110,7 +113,7 @@ double removedAtLeast(const std::vector<gap::PartError>& without, const std::vec
   return (sum - kNormal95 * std::sqrt(squares)) / weights;
 }
 
-// Judges again with noise floors that are at least as given, for each log of the fit and then for each held-out one.
+// Raises the noise floors to the given floors of the logs of the fit and of the held-out logs, and judges again.
 void raiseFloors(const std::vector<double>& floors, const hypotheses::PreparedCase& prepared, Workings& workings) {
   hypotheses::Noise& noise = workings.search.noise;
   for (std::size_t r = 0; r < floors.size(); ++r) {
@@ -125,7 +128,6 @@ void raiseFloors(const std::vector<double>& floors, const hypotheses::PreparedCa
   workings.judgeAgain();
 }
 
-// Computes the numbers of a report.
 class Describer {
  public:
   Describer(const hypotheses::PreparedCase& prepared, const Workings& workings,
@@ -176,8 +178,8 @@ class Describer {
     return result;
   }
 
-  // Errors of the rig in each log, from the residuals of the judged model and of the next likely one. There are none if
-  // the judged model explains less than half of the squared gap, because the residual is then a fault of the model.
+  // Returns the errors of the rig in each log, from the residuals of the judged model and of the next likely one.
+  // Returns none if the residual is a fault of the model (leavesMoreThanItExplains()).
   std::vector<measurement::RigFinding> findingsOfRig() const {
     std::vector<measurement::RigFinding> findings;
     if (leavesMoreThanItExplains(gapOfModels())) {
@@ -195,8 +197,8 @@ class Describer {
     return findings;
   }
 
-  // True if the named law leaves less than the re-estimated values, or, with values nearer to the data sheet, less than
-  // the component as configured.
+  // Returns true if the named law has a smaller gap than the re-estimated component. If its values are nearer to the
+  // data sheet, a smaller gap than that of the configured component is enough.
   bool closes() const {
     const double left = gap::gapOfParts(written_.errors.unseen());
     const auto configured = [&] {
@@ -206,7 +208,7 @@ class Describer {
            (workings_.isNearerToTheSheet(answer_.model) && left < configured());
   }
 
-  // Lower bound of the squares that the law of each named effect removes, all else being unchanged.
+  // Returns a lower bound of the squared error that each named effect removes while all other changes stay in place.
   std::vector<double> squaresRemoved() const {
     const std::vector<std::string> effects = answered(answer_, workings_.evidence).effects;
     const std::vector<bool> all(1 + effects.size(), true);
@@ -227,7 +229,7 @@ class Describer {
     return {forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size())};
   }
 
-  // The logs that the gap is computed on, and the forces on them.
+  // Return the logs on which the gap is computed, and from forces on all logs those on the logs of the gap.
   const std::vector<gap::PreparedRecord>& recordsOfGap() const {
     return hasUnseenLogs() ? prepared_.held_out : prepared_.training;
   }
@@ -242,14 +244,14 @@ class Describer {
                            : gap::simulate(elements, recordsOfGap(), gap::asRecorded);
   }
 
-  // Gaps with each effect alone, on the logs of the gap.
+  // Returns the gap with each single effect on the logs of the gap.
   std::vector<double> gapsAlone() const {
     std::vector<double> gaps(search_.singles.size());
     fit::parallelFor(gaps.size(), options_.threads, [&](std::size_t c) {
       FittedLaw alone = fullLaw(search_.singles[c]);
       if (hasUnseenLogs() && &search_.singles[c] != &judged_) {
-        // An effect that is not named explains drifts and gains only as a simulation predicts them: free in each log,
-        // they would absorb slow noise or an error of the law.
+        // For an effect that is not named, drifts and gains are taken from the simulation. If they were free in each
+        // log, they would absorb slow noise or an error of the law.
         alone.law.about.free_in_log = {};
       }
       gaps[c] = gap::gapOfParts(
@@ -258,7 +260,7 @@ class Describer {
     return gaps;
   }
 
-  // Scores with the errors of the written component and of the re-estimated one, as `replay` computes them.
+  // Returns scores computed with the errors that `replay` finds for the written and for the re-estimated component.
   judge::ScoreTable scoresOfTheFile() const {
     judge::Evidence evidence = workings_.evidence;
     const auto set = [&](int hypothesis, const Replayed& errors) {
@@ -284,11 +286,12 @@ class Describer {
 
   Left leftByModels() const { return {gapOfModels(), law_.gap_of_full, gapsAlone(), scoresOfTheFile()}; }
 
-  // Errors of the model with a selection of values and effects; in sample if there are no unseen logs.
+  // Returns the errors of the model with some values and effects; these errors are in-sample if there are no unseen
+  // logs.
   std::vector<gap::PartError> errorsWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
     const auto elements = withSome(prepared_.component, law_, effects, in).allElements();
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();
-    fit::Hypothesis freed;  // with the unknowns of the selected effects in each log
+    fit::Hypothesis freed;  // with the per-log parameters of the selected effects
     bool has_friction = false;
     for (std::size_t e = 0; e < answer_.effects.size(); ++e) {
       const fit::Candidate& candidate = search_.candidates[static_cast<std::size_t>(answer_.effects[e])];
@@ -303,7 +306,9 @@ class Describer {
     return hypotheses::partErrorsOf(freed, records, simulated(elements));
   }
 
-  // Gaps of the whole logs with all that the rig did to them: as configured, re-estimated, augmented, with a surrogate.
+  // Returns the gaps of the configured, re-estimated and augmented component and of the surrogate on the logs as
+  // recorded,
+  // including all errors of the rig.
   std::vector<double> gapsAsRecorded(const std::vector<prepare::LogSurvey>& logs,
                                      const std::optional<Surrogate>& surrogate) const {
     std::vector<std::vector<element::ElementDescription>> models = {
@@ -315,7 +320,7 @@ class Describer {
     return recordedGaps(models, logs, recorded, options_.threads);
   }
 
-  // Distribution of a gap of a component over its logs. The squares of the cells add up to that of the gap.
+  // Returns the distribution of a gap over the logs. The squares of all cells add up to the squared gap.
   std::vector<gap::GapCell> mapOf(const gap::Forces& forces, double gap) const {
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();
     gap::Forces residual;
@@ -330,7 +335,6 @@ class Describer {
     return cells;
   }
 
-  // Errors of the characteristics on the logs of the gap, and the distribution of the gap over them.
   Where where(const Gap& gap) const {
     const Simulated& s = workings_.simulated;
     Where where;
@@ -343,7 +347,9 @@ class Describer {
     return where;
   }
 
-  // True if the residual is a fault of the model rather than of the rig.
+  // Returns true if the residual above the noise is larger than what the augmented component removes, and is no small
+  // share
+  // of the force. Such a residual is a fault of the model rather than of the rig.
   static bool leavesMoreThanItExplains(const Gap& gap) {
     const auto squared = [](double value) { return value * value; };
     const double left = squared(gap.augmented) - squared(gap.noise_floor);
@@ -371,7 +377,6 @@ class Describer {
     return logs;
   }
 
-  // A surrogate closes the part of the gap that no effect explains.
   Surrogate surrogateOf(double noise_floor) const {
     const Simulated& s = workings_.simulated;
     Surrogate surrogate =
@@ -390,7 +395,7 @@ class Describer {
   const Replayed& before_;
   const MeasuredLaw& written_;
   const WrittenLaw& law_;
-  const fit::PerLogNuisances& free_;  // unknowns in each log beside the written law
+  const fit::PerLogNuisances& free_;  // per-log parameters that are fitted together with the written law
   const DiagnosisOptions& options_;
 };
 
@@ -410,7 +415,7 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   };
   MeasuredLaw named;
   std::vector<double> removed;
-  const auto settle = [&] {  // a set is no answer if it or one of its effects closes nothing
+  const auto settle = [&] {  // a set of effects is no answer if it, or one of its effects, closes nothing
     for (bool settled = false; !settled;) {
       named = writtenLaw(prepared, search, search.at(workings->answer.model), gap_before, options);
       removed = describer(named).squaresRemoved();
@@ -425,7 +430,7 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   };
   settle();
   const ColouredNoise noise = colouredNoise(workings->simulated.records, workings->simulated.augmented);
-  if (!noise.findings.empty()) {  // it is noise, which no law has to follow
+  if (!noise.findings.empty()) {  // the residual is noise, which no law has to follow
     raiseFloors(noise.floors, prepared, *workings);
     settle();
   }

@@ -1,4 +1,4 @@
-// Numbers of the report, from the judged search: gaps, intervals, the places of the gap, and the gap of each candidate.
+// Computes the numbers of a report from a judged search: gaps, their intervals, and where in the logs the gap lies.
 #pragma once
 
 #include "diagnosis/hypotheses/workings.h"
@@ -8,8 +8,9 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Returns the numbers of a judged search, without sentences and the next experiment. `recorded`: the logs of the gaps
-/// as recorded; `raw`: channels of each record; `findings`: errors of the rig from single samples.
+/// Returns the numbers of a judged search, without sentences and without the next experiment. `recorded` are the logs
+/// on which gaps as recorded are computed, `raw` the channels of each record, and `findings` the errors of the rig that
+/// were found in single samples.
 Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
                    const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);

@@ -1,4 +1,4 @@
-// Prediction of each log by a fit to the others.
+// Predicts each log by a fit to the other logs.
 #include "diagnosis/results/further_log.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr std::size_t kFewestToLeaveOneOut = 3;
-constexpr int kWarmSteps = 3;  // of a fit that starts from the fit to all logs
+constexpr int kWarmSteps = 3;  // iterations of a fit that starts from the fit to all logs
 
 template <class List>
 List without(List list, std::size_t place) {

@@ -1,4 +1,4 @@
-// Predicted gap of a further log of the same rig.
+// Predicts the gap on a further log of the same rig.
 #pragma once
 
 #include "diagnosis/hypotheses/workings.h"
@@ -6,9 +6,10 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Returns the RMS over the logs of the gap of a law that is fitted to all other logs, starting from the fit to all,
-/// with only an offset removed. kNotComputed if there are fewer than three logs, or hold-outs, which give this gap
-/// directly. `fitted`: null for the component as configured, which needs no fit.
+/// Returns the gap that a further log would have: for each log, the law is fitted to all other logs, starting from the
+/// fit to all logs, and the gap is computed with only an offset removed. The result is the RMS of these gaps. Returns
+/// kNotComputed if there are fewer than three logs, or if there are held-out logs, which show this gap directly.
+/// `fitted` is null for the component as configured, which needs no fit.
 double gapOfFurtherLog(const hypotheses::PreparedCase& prepared, const FittedLaw* fitted, int threads);
 
 }  // namespace rubber_suspension::diagnosis::results

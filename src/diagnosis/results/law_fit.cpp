@@ -1,4 +1,4 @@
-// Laws with few numbers as unknowns of a fit.
+// Fits laws all of whose numbers are free.
 #include "diagnosis/results/law_fit.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-constexpr double kFarthest = 5.0;  // largest logarithm of a number over its start: a factor of 150
+constexpr double kFarthest = 5.0;  // largest logarithm of the ratio of a number to its start: a factor of 150
 
 const element::ParameterInfo& infoOf(const element::ElementDescription& entry, const std::string& key) {
   return *element::findParameter(element::findElementType(entry.type)->parameters, key);
@@ -25,7 +25,7 @@ double startOf(const Entries& entries, const NumberPlace& place) {
   return entries[place.entry].list(place.key)[place.index];
 }
 
-// A number as an unknown of the fit, with its bounds.
+// Returns a number of a law as a parameter of the fit, with its bounds.
 fit::BasisTerm unknownOf(const MemberLaw& law, const NumberPlace& place) {
   const element::ParameterInfo& info = infoOf(law.start[place.entry], place.key);
   const element::Range& range = info.range;

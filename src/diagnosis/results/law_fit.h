@@ -1,4 +1,4 @@
-// Fits of laws with few numbers, all of which are free: shapes as well as scales.
+// Fits laws with few numbers. All of these numbers are free, shape parameters as well as scales.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,50 +14,53 @@ namespace rubber_suspension::diagnosis::results {
 
 using Entries = std::vector<element::ElementDescription>;
 
-/// Place of a number in a list of entries. A fit varies the logarithm of its ratio to the start: the sign is kept.
+/// Position of a number in a list of entries. A fit varies the logarithm of the ratio of the number to its start, so
+/// that
+/// the sign cannot change.
 struct NumberPlace {
   std::size_t entry = 0;
   std::string key;
-  std::size_t index = 0;  ///< in the list of that key
+  std::size_t index = 0;  ///< index in the list of that key
 };
 
-/// Returns the numbers that a fit varies: scales and shapes, each number of a list; neither choices and references nor
-/// values at an end of their range.
+/// Returns the numbers that a fit varies: scales and shape parameters, and each number of a list. Numbers that select
+/// an option or state a reference are not varied, and neither are values at an end of their range.
 std::vector<NumberPlace> numbersOf(const Entries& entries);
 
-/// Law of one member of a hypothesis: basis terms, or entries whose numbers are free.
+/// Law of one member of a hypothesis, that is, of one of its effects. It consists of basis terms, or of entries whose
+/// numbers are free.
 struct MemberLaw {
   int member = 0;                     ///< index among the candidates
-  std::vector<fit::BasisTerm> terms;  ///< empty if the law is `start`
+  std::vector<fit::BasisTerm> terms;  ///< empty if the law consists of `start`
   Entries start;
-  /// Upper bound of the times among the numbers of `start` [s]: logs do not distinguish longer ones.
+  /// Upper bound of the times in `start` [s]. The logs cannot distinguish longer times.
   double longest_time = std::numeric_limits<double>::infinity();
 
   std::size_t size() const { return terms.empty() ? numbersOf(start).size() : terms.size(); }
 
-  /// Returns the entries at these scales of its terms or numbers.
+  /// Returns the entries of the law with these scales of its terms, or with these logarithms of the ratios of its
+  /// numbers.
   Entries at(const Eigen::VectorXd& scales) const;
 };
 
-/// All members of a hypothesis.
+/// Laws of all members of a hypothesis.
 struct Law {
   std::vector<MemberLaw> members;
-  fit::Hypothesis about;  ///< unknowns in each log; without terms
+  fit::Hypothesis about;  ///< parameters that are free in each log; has no terms
 
-  /// Returns the hypothesis for a fit: numbers of entries become terms with bounds and without entries of their own.
+  /// Returns a hypothesis for the fit. Each number of an entry becomes a term with bounds but without an entry.
   fit::Hypothesis hypothesis() const;
 
-  /// Returns the entries of each member at these scales.
+  /// Returns the entries of each member with these scales.
   std::vector<Entries> at(const Eigen::VectorXd& scales) const;
 };
 
-/// A law and its fit.
 struct FittedLaw {
   Law law;
   fit::Fit fit;
 };
 
-/// A law, and its odds over the first of several laws.
+/// A law, and its odds relative to the first of several laws.
 struct WeighedLaw {
   FittedLaw fitted;
   double odds = 1.0;

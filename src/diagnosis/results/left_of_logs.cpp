@@ -1,4 +1,4 @@
-// Gaps of two components on single logs, computed alike.
+// Compares the gaps of two components on each log.
 #include "diagnosis/results/left_of_logs.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Columns that are free in a log: a constant and, if the log starts in motion, decays from the state before it. Samples
-// that do not count are 0.
+// Returns the columns of the least-squares system that are free in a log: a constant and, if the log starts in motion,
+// decays from the initial state. Samples that do not count are 0.
 Eigen::MatrixXd freeColumns(const gap::PreparedRecord& record, const VectorXd& counts, const VectorXd& simulated) {
   const measurement::RigColumns rig =
       measurement::RigModel({record}, {}, io::RigTolerances{}).columns({simulated}, {}).front();
@@ -33,16 +33,16 @@ Eigen::MatrixXd freeColumns(const gap::PreparedRecord& record, const VectorXd& c
   return columns;
 }
 
-// Residual beyond the free columns, in units of the force's standard deviation.
+// Returns the residual after a fit of the free columns, divided by the standard deviation of the force.
 VectorXd residualOf(const gap::PreparedRecord& record, const VectorXd& counts, const RigOfLog& rig,
                     const Eigen::MatrixXd& free, const VectorXd& simulated) {
   const VectorXd late = simulated - rig.delay / record.dt * numerics::slopesOf(simulated);
   const VectorXd residual = (record.force - (1.0 + rig.gain) * late).cwiseProduct(counts) / record.force_deviation;
-  // Similar decays in a short log make the equations singular.
+  // Several similar decays in a short log make the equations singular.
   return residual - free * numerics::solveSymmetric(numerics::gramOf(free), VectorXd(free.transpose() * residual));
 }
 
-// Standard error of the mean of the difference of two squares, by blocks of the log.
+// Returns the standard error of the mean of the difference of two squares, estimated from ten blocks of the log.
 double standardError(const VectorXd& difference) {
   constexpr Index kTenths = 10;
   Eigen::Array<double, kTenths, 1> means;

@@ -1,4 +1,4 @@
-// Logs that differ from most in gain or offset.
+// Finds logs whose gain or offset differs from that of most logs.
 #include "diagnosis/results/own_errors.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-// Gain of each record over the simulated force, without a tolerance on its size.
+// Returns the gain of each record relative to the simulated force, without limiting it by a tolerance.
 std::vector<double> gainsBeside(const gap::Forces& simulated, std::vector<gap::PreparedRecord> records,
                                 const io::RigTolerances& tolerances) {
   for (gap::PreparedRecord& record : records) {
@@ -37,7 +37,7 @@ std::vector<bool> unlikeMost(const std::vector<double>& values, double alike) {
   };
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
-  const double middle = sorted[(sorted.size() - 1) / 2];  // near the value of most, if there is one
+  const double middle = sorted[(sorted.size() - 1) / 2];  // near the value that most logs have, if there is one
   const auto count = static_cast<std::ptrdiff_t>(values.size());
   const bool any = 2 * likeOne(middle) > count;
   const double limit = likeOne(middle) == count ? 0.0 : alike;
@@ -61,7 +61,8 @@ std::vector<gap::OwnErrors> ownErrors(const hypotheses::PreparedCase& prepared,
     gap::Forces forces = gap::simulate(elements, prepared.training);
     const gap::Forces unseen = gap::simulateEach(elements, prepared.held_out, {});
     forces.insert(forces.end(), unseen.begin(), unseen.end());
-    const double alike = std::sqrt(2.0) * io::kTolerated * tolerances.gain.value;  // two gains within their tolerances
+    const double alike = std::sqrt(2.0) * io::kTolerated *
+                         tolerances.gain.value;  // largest difference of two gains that are within their tolerances
     const std::vector<bool> unlike = unlikeMost(gainsBeside(forces, records, tolerances), alike);
     for (std::size_t r = 0; r < own.size(); ++r) {
       own[r].gain = own[r].gain || unlike[r];

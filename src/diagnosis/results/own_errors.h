@@ -1,4 +1,5 @@
-// Gains and offsets that differ between logs: errors of the rig in these logs, which belong in no component file.
+// Finds gains and offsets that differ between logs. They are errors of the rig, which do not belong in a component
+// file.
 #pragma once
 
 #include <vector>
@@ -8,13 +9,14 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Marks values farther than `alike` from the median. Marks all values if no more than half of them lie so near; marks
-/// all but the median if all do.
+/// Returns true for each value that is farther than `alike` from the median. If at most half of the values lie within
+/// `alike` of the median, all values are marked; if all values do, all except the median are marked.
 std::vector<bool> unlikeMost(const std::vector<double>& values, double alike);
 
-/// Returns the errors of single logs if a judged hypothesis has a gain or offset of each log: the gain of logs that
-/// differ from most, the offset of all; first the logs of the fit, then those held out. Empty if it has none, or only
-/// those that the logs already have, so that the repeated search ends.
+/// Returns the errors of single logs if the judged hypothesis fits a gain or an offset to each log: the gain of logs
+/// that differ from most, and the offset of all logs. The logs of the fit come first, then those held out. Returns an
+/// empty list if the hypothesis fits neither, or if the logs already have all of these errors; a repeated search then
+/// ends.
 std::vector<gap::OwnErrors> ownErrors(const hypotheses::PreparedCase& prepared,
                                       const hypotheses::FittedHypothesis& judged);
 

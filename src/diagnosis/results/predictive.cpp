@@ -1,4 +1,4 @@
-// Draws of further logs.
+// Draws random samples of further logs.
 #include "diagnosis/results/predictive.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class FurtherLogs {
         expected_(judge::expectedSquares(table, judge::fittedNumbers()).row(closing.hypothesis)),
         logs_(1.0 / table.weight.square().sum()) {}
 
-  // Returns nullopt if this draw has no gap to close, or an effect at work does not close any of it.
+  // Returns nullopt if the draw has no gap, or if a hypothesis with effects closes none of the gap.
   std::optional<double> draw() {
     const ArrayXd floor = drawnFloors();
     const ArrayXd before = beyond(judge::Evidence::kReEstimated, floor);
@@ -55,7 +55,7 @@ class FurtherLogs {
     return floor;
   }
 
-  // Error of a hypothesis beyond these floors.
+  // Returns the squared error of a hypothesis above these noise floors in each log.
   ArrayXd beyond(int hypothesis, const ArrayXd& floor) const {
     return (table_.errors.row(hypothesis).transpose() - floor).max(0.0);
   }
@@ -73,7 +73,7 @@ class FurtherLogs {
   std::normal_distribution<double> normal_{0.0, 1.0};
   std::discrete_distribution<int> pick_;
   ArrayXd expected_;
-  double logs_;  // effective number of logs
+  double logs_;  // effective number of logs for their weights
 };
 
 }  // namespace

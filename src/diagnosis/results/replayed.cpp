@@ -1,4 +1,4 @@
-// Errors of components under the displacement as recorded.
+// Computes errors of components that are driven by the displacement as recorded.
 #include "diagnosis/results/replayed.h"
 
 #include <algorithm>
@@ -20,13 +20,14 @@ std::vector<gap::PartError> heldOutErrors(const fit::Hypothesis& hypothesis, con
   return hypotheses::unseenErrors(hypothesis, elements, gap::simulateEach(elements, held_out), held_out);
 }
 
-// Errors of a replay plus, for each block, the additional error of a fit without it. Over a log the sum is never less
-// than the error of the replay, even if the held-out error of a short log is by chance less than the error of the fit.
+// Returns the errors of a replay plus, for each block, the increase of the error if the fit omits the block. Summed
+// over a log, the result is never less than the error of the replay, even if the held-out error of a short log happens
+// to be smaller than the error of the fit.
 std::vector<gap::PartError> errorsOfTheFit(const fit::Fitter& fitter, const FittedLaw& fitted,
                                            const Entries& elements) {
   const std::vector<gap::PreparedRecord>& records = fitter.records();
   const fit::Hypothesis hypothesis = fitted.law.hypothesis();
-  // unseenErrors() computes the effect of offsets of the displacement from the elements.
+  // Unlike partErrorsOf(), unseenErrors() computes the effect of displacement offsets on the force of these elements.
   const std::vector<double> none(records.size(), 0.0);
   const std::vector<double> replay = hypotheses::errorsByLog(
       hypotheses::unseenErrors(hypothesis, elements, gap::simulate(elements, records, gap::asRecorded), records), none);
@@ -46,8 +47,8 @@ using Piece = log::EvenBlocks::Piece;
 
 bool isCounted(const Piece& piece, std::size_t i) { return piece.counts == nullptr || piece.counts[i] > 0.0; }
 
-// Squared deviation of a force from its mean, piece by piece. The first force is subtracted, so that no digits are
-// lost.
+// Computes the sum of the squared deviations of a force from its mean, piece by piece. The first force is subtracted
+// from all forces to avoid rounding errors.
 class Deviation {
  public:
   void add(const Piece& piece) {
@@ -72,7 +73,7 @@ class Deviation {
   double count_ = 0.0;
 };
 
-// A component that is driven by one log after the other, and its sum of squared residuals since the log began.
+// A component that several logs drive in turn, and its sum of squared residuals on the current log.
 struct ReplayedModel {
   explicit ReplayedModel(const Entries& elements) : driver(elements) {}
 

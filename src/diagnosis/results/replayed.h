@@ -1,4 +1,4 @@
-// Gaps of a component on logs as in `replay` and the node: driven by the displacement as recorded.
+// Computes gaps of a component on logs as `replay` and the node do, from the displacement as recorded.
 #pragma once
 
 #include <vector>
@@ -11,34 +11,35 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Errors of parts of logs, without the errors of the rig in each log.
+/// Errors of parts of logs, after the errors of the rig in each log have been removed.
 struct Replayed {
   std::vector<gap::PartError> of_the_fit;  ///< on blocks that took no part in the fit
   std::vector<gap::PartError> held_out;    ///< on the held-out logs; empty if there are none
 
-  /// Returns the errors of which gaps are computed.
+  /// Returns the errors from which gaps are computed: those on held-out logs if there are any.
   const std::vector<gap::PartError>& unseen() const { return held_out.empty() ? of_the_fit : held_out; }
 };
 
-/// Returns the elements of a model with a law.
+/// Returns the elements of a model together with those of a law.
 Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted);
 
-/// Returns the errors of a fitted law that is written as these elements, on the logs of the fit and on those held out.
-/// For logs of the fit they are the cross-validated errors plus, log by log, the excess of `replay` over the fitted
-/// forces, which is due to noise of the displacement and to future samples that a simulation does not have.
+/// Returns the errors of a fitted law that is written as these elements, on the logs of the fit and on the held-out
+/// logs. On a log of the fit, they are the cross-validated errors plus the excess of the error of `replay` over that of
+/// the fitted forces. This excess is due to noise of the displacement and to future samples, which a simulation does
+/// not have.
 Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
                   const std::vector<gap::PreparedRecord>& held_out);
 
-/// Returns only the errors of which gaps are computed, Replayed::unseen().
+/// Returns only the errors from which gaps are computed (Replayed::unseen()).
 std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
                                          const std::vector<gap::PreparedRecord>& held_out);
 
-/// Logs recorded on one component, which relaxes between them, or each on a new one.
+/// States whether all logs were recorded on one component, which relaxes between them, or each log on a new one.
 enum class Recorded { on_one_component, each_on_a_new_one };
 
-/// Returns the gap of each list of elements on whole logs as `replay` computes it, at even time steps: the RMS over the
-/// logs of their gaps. Each log is read once, block by block. Throws LogError if a log has no force or has become
-/// shorter since its survey.
+/// Returns the gap of each list of elements on whole logs as `replay` computes it at even time steps: the RMS of the
+/// gaps of all logs. Reads each log once, block by block. Throws LogError if a log has no force or has become shorter
+/// since its survey.
 std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementDescription>>& models,
                                  const std::vector<prepare::LogSurvey>& logs, Recorded recorded, int threads);
 

@@ -1,4 +1,4 @@
-// Errors of the rig from the residual of a judged model.
+// Finds errors of the rig in the residual of a judged model.
 #include "diagnosis/results/rig_findings.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-// Estimates the errors of the rig again, with the accepted error of the model as the noise. However many samples there
-// are, such an error does not average out.
+// Repeats the estimate of the errors of the rig with the accepted error of the model as the noise, because the error of
+// a model does not average out over many samples.
 void allowError(const gap::PreparedRecord& record, measurement::RigFit& fit) {
   const double unit = record.rig.one_deviation * record.force_deviation * std::sqrt(record.counted());
   Eigen::MatrixXd columns = fit.rig.columns * (fit.rig.priors / unit).asDiagonal();
@@ -36,7 +36,7 @@ void allowError(const gap::PreparedRecord& record, measurement::RigFit& fit) {
                    factor.solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count))) * fit.rig.priors.asDiagonal();
 }
 
-// Fits the errors of the rig in each record about a model.
+// Fits the errors of the rig in each record to the residual of a model.
 std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
                                         const std::vector<element::ElementDescription>& elements) {
   auto fits =
@@ -49,19 +49,18 @@ std::vector<measurement::RigFit> fitRig(const measurement::RigModel& rig,
   return fits;
 }
 
-// The interval is tested here because parts of an initial state may exceed chance although their sum, which is
-// reported, does not.
+// Tests the interval of the reported sum. Parts of an initial state may each exceed chance while their sum does not.
 bool isBeyondChance(const measurement::RigFinding& finding) {
   return finding.interval_95[0] > 0.0 || finding.interval_95[1] < 0.0;
 }
 
-// True for an error that the verdict attributes to this log alone: no second model has to confirm it.
+// Returns true if the verdict attributes the error to this log alone. No second model then has to confirm the error.
 bool isOwn(const measurement::RigFinding& finding, const gap::OwnErrors& own) {
   return (own.gain && finding.finding == measurement::finding::kSensorGain) ||
          (own.zero && finding.finding == measurement::finding::kForceZero);
 }
 
-// True if another model finds the same error with a value within the interval.
+// Returns true if another model finds the same error with a value within the interval of the finding.
 bool agrees(const measurement::RigFinding& finding, const std::vector<measurement::RigFinding>& others) {
   return std::any_of(others.begin(), others.end(), [&](const measurement::RigFinding& other) {
     return other.finding == finding.finding && other.value >= finding.interval_95[0] &&
@@ -91,7 +90,7 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
 }
 
 ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated) {
-  constexpr double kPrior = 0.02;  // probability of such noise on a rig
+  constexpr double kPrior = 0.02;  // prior probability that a rig has such noise
   constexpr double kReported = 0.9;
   std::vector<Eigen::VectorXd> residuals;
   double evidence = 0.0;
@@ -99,7 +98,7 @@ ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, con
     residuals.push_back(records[r].withoutRig(records[r].force - simulated[r]));
     const auto of_log = measurement::evidenceOfNoise(records[r], residuals[r], measurement::maskOf(records[r]));
     if (!of_log) {
-      return {};  // an amplifier has its noise in every log
+      return {};  // noise of an amplifier would be in every log
     }
     evidence += *of_log;
   }

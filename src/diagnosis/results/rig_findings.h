@@ -1,4 +1,4 @@
-// Errors of the rig in each log, from the residual of a judged model.
+// Finds errors of the rig in each log from the residual of a judged model.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@
 namespace rubber_suspension::diagnosis::results {
 
 /// Returns the errors of the rig in each record, from the residual of `judged`, with intervals that allow for the
-/// accepted error of the model. An error is reported only if `rival`, the next likely elements, gives a value within
-/// its interval, or if it is one of a single log (gap::OwnErrors).
+/// accepted error of the model. `rival` is the next likely model. An error is reported only if the value that `rival`
+/// gives is within its interval, or if the error belongs to a single log (gap::OwnErrors).
 std::vector<measurement::RigFinding> rigFindings(const std::vector<element::ElementDescription>& judged,
                                                  const std::vector<element::ElementDescription>& rival,
                                                  const io::RigTolerances& tolerances,
@@ -22,11 +22,11 @@ std::vector<measurement::RigFinding> rigFindings(const std::vector<element::Elem
 /// Noise of the amplifier that rises towards low frequencies.
 struct ColouredNoise {
   std::vector<measurement::RigFinding> findings;
-  std::vector<double> floors;  ///< noise of each record, in units of its force's standard deviation
+  std::vector<double> floors;  ///< noise in each record, divided by the standard deviation of the force
 };
 
-/// Returns the noise of the amplifier in what the judged model leaves if its probability is 0.9 or more; else nothing.
-/// Such a part of the residual is noise, not an error of the model, if its power does not follow that of the force.
+/// Returns the noise of the amplifier in the residual of the judged model if its probability is at least 0.9; otherwise
+/// returns nothing. A part of the residual counts as noise if its power does not follow the power of the force.
 ColouredNoise colouredNoise(const std::vector<gap::PreparedRecord>& records, const gap::Forces& simulated);
 
 }  // namespace rubber_suspension::diagnosis::results
