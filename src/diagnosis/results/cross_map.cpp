@@ -15,11 +15,10 @@ constexpr std::size_t kFolds = 5;
 constexpr std::size_t kBlocks = 100;         // number of blocks per log; each fold is every fifth block
 constexpr std::size_t kMostMapped = 100000;  // approximate upper limit of the samples of all logs
 constexpr double kLeastOfLargest = 0.02;     // least motion relative to the largest translation or rotation
-constexpr double kLeastOfItsOwn =
-    0.01;                         // least share of the variance that the motion of the other direction does not predict
-constexpr Eigen::Index kOwn = 6;  // number of basis functions of one direction alone
-constexpr Eigen::Index kAll = 13;         // number of basis functions of both directions
-constexpr Eigen::Index kResidual = kAll;  // column of the residual, behind the basis functions
+constexpr double kLeastOfItsOwn = 0.01;      // least share of the variance that the other direction does not predict
+constexpr Eigen::Index kOwn = 6;             // number of basis functions of one direction alone
+constexpr Eigen::Index kAll = 13;            // number of basis functions of both directions
+constexpr Eigen::Index kResidual = kAll;     // column of the residual, behind the basis functions
 using Moments = Eigen::Matrix<double, kAll + 1, kAll + 1>;
 
 double mean(const std::vector<double>& values) {

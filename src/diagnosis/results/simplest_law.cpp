@@ -1,4 +1,4 @@
-// The choice among laws with few numbers.
+// Chooses among laws with few numbers.
 #include "diagnosis/results/simplest_law.h"
 
 #include <algorithm>
@@ -21,11 +21,12 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-constexpr std::size_t kMostTerms = 3;    // of a law
-constexpr std::size_t kMostNumbers = 6;  // likewise
-constexpr int kSteps = 12;               // of a fit
-constexpr double kHopeless = 2.0;        // times the allowed gap: a law with a larger expected one is not fitted
-constexpr double kOfTypical = 1e-6;      // of the typical scale: a smaller one counts as 0
+constexpr std::size_t kMostTerms = 3;    // largest number of basis terms of a law
+constexpr std::size_t kMostNumbers = 6;  // largest number of free numbers of a law
+constexpr int kSteps = 12;               // iterations of a fit
+// A law is not fitted if its expected gap exceeds the allowed gap by this factor.
+constexpr double kHopeless = 2.0;
+constexpr double kOfTypical = 1e-6;  // a scale below this share of its typical value counts as 0
 
 using Indices = std::vector<Eigen::Index>;
 
@@ -33,22 +34,22 @@ bool has(const Indices& columns, Eigen::Index column) {
   return std::find(columns.begin(), columns.end(), column) != columns.end();
 }
 
-// Start of the fit of a law, and its squared gap by the normal equations about the full law.
+// Start of the fit of a law, and the squared gap that the normal equations at the full law predict for it.
 struct Start {
   Entries entries;
   double square = std::numeric_limits<double>::infinity();
 };
 
-// Starts by the count of numbers and the kind of the first term: the equations are linear about the full law, and do
-// not show which kind fits better.
+// Best start for each count of numbers and each kind of the first term. All kinds are kept, because the linear normal
+// equations do not show which kind will fit best.
 using Starts = std::map<std::size_t, std::map<std::string, Start>>;
 
-// Least squares over subsets of the terms of a member, with everything else free.
+// Solves least squares for subsets of the terms of one effect, while all other parameters are free.
 class Subsets {
  public:
-  // `from`: column of each term in the normal equations; `free`: columns of everything else that is free; `moment` and
-  // `square`: products of the residual without the member. The first `own` terms are those of the candidate, the others
-  // those of its further laws.
+  // `from` are the columns of the terms in the normal equations, and `free` the columns of all other free parameters.
+  // `moment` and `square` are the products of the residual without the effect with the columns and with itself. The
+  // first `own` terms belong to the candidate, the others to its further laws.
   Subsets(const Eigen::MatrixXd& gram, std::vector<fit::BasisTerm> terms, std::size_t own, const Indices& from,
           const Indices& free, const Eigen::VectorXd& moment, double square)
       : terms_(std::move(terms)), square_(square) {
@@ -112,7 +113,7 @@ class Subsets {
     MemberLaw law;
     for (Eigen::Index i = 0; i < count; ++i) {
       if (std::abs(scales[i]) < kOfTypical * term(chosen, i).typical) {
-        return;  // the same as a law of fewer terms
+        return;  // equal to a law with fewer terms
       }
       law.terms.push_back(term(chosen, i));
     }
@@ -124,8 +125,8 @@ class Subsets {
   }
 
   std::vector<fit::BasisTerm> terms_;
-  std::vector<std::size_t> numbers_;  // of each term
-  std::vector<std::string> kinds_;    // likewise
+  std::vector<std::size_t> numbers_;  // count of numbers of each term
+  std::vector<std::string> kinds_;    // kind of each term
   Eigen::MatrixXd gram_;
   Eigen::VectorXd moment_;
   double square_;
@@ -153,7 +154,7 @@ class Chooser {
     const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     gap_ = gapOf(result_.fitted);
     const double full = std::pow(gap_, 2);
-    const double most = 0.5 * (full + std::pow(before_, 2));  // closes half of what the full law does
+    const double most = 0.5 * (full + std::pow(before_, 2));  // the law has to close half of what the full law closes
     double allowed = full + std::pow(numbers.accepted, 2);
     for (std::size_t m = 0; m < own_.size(); ++m) {
       result_.form_error.push_back((candidateOf(m).one_form ? numbers.form_error_of_one : numbers.form_error) *
@@ -170,7 +171,7 @@ class Chooser {
     return candidates_[static_cast<std::size_t>(judged_.hypothesis.members[m])];
   }
 
-  // Linearises about the full law, extended by further laws of each member with scales of 0.
+  // Linearises the fit at the full law, after adding the further laws of each effect with scales of 0.
   void linearise() {
     extended_ = judged_.hypothesis;
     const Eigen::Index of_model = fitter_.model().size();
@@ -208,7 +209,7 @@ class Chooser {
 
   double scaleAt(Eigen::Index column) const { return scales_[column - fitter_.model().size()]; }
 
-  // RMS force that a member adds, over the force's standard deviation.
+  // Returns the RMS of the force that an effect adds, divided by the standard deviation of the force.
   double addedBy(std::size_t m) const {
     const Indices& own = own_[m];
     Eigen::VectorXd scales(static_cast<Eigen::Index>(own.size()));
@@ -218,12 +219,12 @@ class Chooser {
     return std::sqrt(std::max(0.0, scales.dot(Eigen::MatrixXd(blocks_.sum(own, own)) * scales)));
   }
 
-  // Starts of the best laws by the normal equations.
+  // Returns starts of the best laws for an effect, found with the normal equations.
   Starts startsOf(std::size_t m) const {
     const Eigen::Index last = blocks_.sum.cols() - 1;
     Eigen::VectorXd moment = blocks_.sum.col(last);
     double square = blocks_.sum(last, last);
-    for (const Eigen::Index t : own_[m]) {  // removes the member
+    for (const Eigen::Index t : own_[m]) {  // removes the effect from the residual
       square += scaleAt(t) * (2.0 * moment[t] + scaleAt(t) * blocks_.sum(t, t));
       moment += scaleAt(t) * blocks_.sum.col(t);
     }
@@ -250,10 +251,10 @@ class Chooser {
     const std::vector<Entries> full = result_.fitted.law.at(result_.fitted.fit.parameters.scales);
     const std::size_t most = numbersOf(full[m]).size();
     std::vector<Allowed> laws;
-    std::set<std::string> kinds;  // of the allowed laws
+    std::set<std::string> kinds;  // kinds of the allowed laws
     for (const auto& [most_numbers, starts] : startsOf(m)) {
       for (const auto& [kind, start] : starts) {
-        const std::size_t numbers = numbersOf(start.entries).size();  // fewer if one is at a limit
+        const std::size_t numbers = numbersOf(start.entries).size();  // a number at a limit does not count
         const bool is_new = numbers <= most && kinds.count(kind) == 0;
         if (std::optional<Allowed> law = is_new ? allowedOf(m, start, numbers, allowed) : std::nullopt) {
           laws.push_back(std::move(*law));
@@ -283,17 +284,16 @@ class Chooser {
     gap_ = chosen.gap;
   }
 
-  // True if a term with an exact force, which is computed from later samples as well (BasisTerm::exact), is kept. Its
-  // element, such as a mass, can use past samples only, and a refitted number compensates for that. The exact number is
-  // kept if it removes more than half of the squared error that the refitted one removes.
+  // Returns true if the exact term is kept instead of a fitted element. The force of an exact term (BasisTerm::exact)
+  // is computed from later samples as well. Its element, such as a mass, can use past samples only, and its refitted
+  // number compensates for that. The exact term is kept if it removes more than half of the squared error that the
+  // element removes.
   bool isExactEnough(std::size_t m, double gap_of_fitted) const {
     return hasExactForce(m) && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
   }
 
-  bool hasExactForce(std::size_t m) const { return own_[m].size() == 1 && termAt(own_[m].front()).exact; }
-
-  // Odds as in the judgement, by the error beyond that of the better law. The count of numbers does not matter here,
-  // because it is no evidence on the size of the effect.
+  // Returns the odds of `other` relative to `chosen` as the judgement does, from the errors above that of the better
+  // law. The count of numbers does not matter, because it is no evidence on the size of the effect.
   double oddsOver(const Allowed& chosen, const Allowed& other) const {
     const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     const double least = std::pow(std::min(chosen.gap, other.gap), 2);
@@ -303,8 +303,9 @@ class Chooser {
     return std::exp(logWeight(other) - logWeight(chosen));
   }
 
-  // True if a law of the same element with more numbers has a squared error that is smaller by more than the accepted
-  // one per number. The numbers of the smaller law are then wrong, because they compensate for what it lacks.
+  // Returns true if the larger law, which has the same element, reduces the squared gap by more than the squared
+  // accepted error per additional number. The numbers of the smaller law are then wrong, because they compensate for
+  // what it lacks.
   static bool tellsMore(std::size_t m, const Allowed& larger, const Allowed& smaller) {
     const Entries& of_larger = larger.law.law.members[m].start;
     const Entries& of_smaller = smaller.law.law.members[m].start;
@@ -322,7 +323,7 @@ class Chooser {
       law.gap = gapOf(law.law);
       return law.gap * law.gap <= allowed ? std::optional(std::move(law)) : std::nullopt;
     } catch (const std::invalid_argument&) {
-      return std::nullopt;  // no component has these numbers
+      return std::nullopt;  // no component can have these numbers
     }
   }
 
@@ -363,13 +364,15 @@ class Chooser {
   const double before_;
   const int threads_;
   fit::Hypothesis extended_;
-  Eigen::VectorXd scales_;                 // of its terms in the full law
-  std::vector<Indices> own_;               // columns of each member's terms
-  std::vector<Indices> pool_;              // columns of the candidate's own terms, then of its further laws
-  std::vector<std::size_t> of_candidate_;  // number of the candidate's own columns
+  Eigen::VectorXd scales_;    // scales of the terms in the full law
+  std::vector<Indices> own_;  // columns of the terms of each effect
+  // For each effect, columns of the terms of its candidate, then of the further laws of the candidate.
+  std::vector<Indices> pool_;
+  std::vector<std::size_t> of_candidate_;  // for each effect, number of columns of its candidate in pool_
   fit::BlockGrams blocks_;
-  double expected_ = 0.0;  // expected excess of the squared gap over that of the full law, for the members so far
-  double gap_ = 0.0;       // of the law so far
+  // Expected excess of the squared gap over that of the full law, for the effects simplified so far.
+  double expected_ = 0.0;
+  double gap_ = 0.0;  // gap of the law so far
   SimplestLaw result_;
 };
 

@@ -1,4 +1,4 @@
-// The law with the fewest numbers that describes each named effect as well as the judged law does.
+// Chooses the law with the fewest numbers that describes each named effect as well as the judged law does.
 #pragma once
 
 #include <vector>
@@ -10,23 +10,27 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Returns the judged hypothesis as a law: of each member the terms with a scale other than 0, and at least one.
+/// Returns the judged hypothesis as a law. Of each effect, it has the terms with a scale other than 0, but at least
+/// one.
 FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged);
 
 struct SimplestLaw {
   FittedLaw fitted;
-  std::vector<WeighedLaw> others;  ///< of a gap that is small enough: the simplest of each other kind, and the
-                                   ///< full law; odds by their errors
-  std::vector<double> form_error;  ///< of each member, RMS over the standard deviation of the force
+  /// Other laws whose gap is small enough: the simplest of each other kind, and the full law. Their odds follow from
+  /// their errors.
+  std::vector<WeighedLaw> others;
+  /// RMS form error of each effect, divided by the standard deviation of the force.
+  std::vector<double> form_error;
 };
 
-/// Chooses for each member in turn the law with the fewest numbers whose gap satisfies gap^2 <= full gap^2 + sum (eta
-/// A)^2 + delta^2 over the members so far, with the force A that the member adds, the form error eta of laws and the
-/// accepted error delta (JudgeNumbers), and which closes at least half of what the full law closes of the squared gap
-/// `before`. A member that needs more numbers keeps its terms, and so does a single exact force that closes more than
-/// half of what its element could. Laws are one to three terms of one kind, from the candidate and its `laws` at their
-/// best places; terms of a contained effect are not used. Gaps are those of `replay` on the held-out logs, or else on
-/// held-out blocks (replayed.h).
+/// Chooses for each effect in turn the law with the fewest numbers that satisfies two conditions. First, its squared
+/// gap exceeds that of the full law by at most delta^2 plus the sum of (eta A)^2 over the effects simplified so far.
+/// Here, A is the RMS force that an effect adds, eta the form error of laws, and delta the accepted error
+/// (JudgeNumbers). Second, it closes at least half of the squared gap that the full law closes; `before` is the gap
+/// without the law. An effect for which no law satisfies them keeps its terms, and so does a single exact term that
+/// closes more than half of what its element could. Laws are one to three terms of one kind, from the candidate and its
+/// `laws`. Gaps are those of `replay` on the held-out logs, or on held-out blocks if there are no such logs
+/// (replayed.h).
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
                         const hypotheses::FittedHypothesis& judged, const std::vector<gap::PreparedRecord>& held_out,
                         double before, int threads);

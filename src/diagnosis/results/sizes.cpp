@@ -1,4 +1,4 @@
-// Sizes of effects and model parameters, resampled by blocks.
+// Computes sizes of effects and model parameters by resampling blocks of the logs.
 #include "diagnosis/results/sizes.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using Key = std::pair<std::string, std::string>;  // owner and name
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// A value of a draw, and the weight of the draw.
+// A randomly drawn value, and the weight of the draw.
 struct Draw {
   double value;
   double weight;
@@ -31,7 +31,7 @@ struct Draw {
 
 bool isLess(const Draw& a, const Draw& b) { return a.value < b.value; }
 
-// Weighted quantile of draws in ascending order.
+// Returns a weighted quantile of draws in ascending order.
 double quantile(const std::vector<Draw>& draws, double share) {
   double below = share * std::accumulate(draws.begin(), draws.end(), 0.0,
                                          [](double sum, const Draw& draw) { return sum + draw.weight; });
@@ -44,7 +44,7 @@ double quantile(const std::vector<Draw>& draws, double share) {
   return draws.back().value;
 }
 
-// The total of several elements has the key of a single one, because another draw may have only one.
+// The total over several elements gets the key of a single element, because another draw may have only one element.
 Key keyOf(const SizedValue& size) {
   const std::string total = "total_";
   return {size.owner, size.name.rfind(total, 0) == 0 ? size.name.substr(total.size()) : size.name};
@@ -90,7 +90,7 @@ void addNumbers(const std::string& list, const Entries& entries, std::vector<Siz
   }
 }
 
-// Every number of a component file.
+// Returns every number of a component file.
 std::vector<SizedValue> writtenValues(const io::ComponentDescription& description) {
   std::vector<SizedValue> values;
   for (const auto& [name, value] : description.specification().values()) {
@@ -134,8 +134,8 @@ class Resampling {
     draw(options.resamplings);
   }
 
-  // Adds the draws of another law to the sizes that both have. Entries of the component file are skipped, because the
-  // same place has another number there.
+  // Adds the draws of another law to the sizes that both laws have. Entries of the component file are skipped, because
+  // the other law has another number at the same position.
   void add(const Resampling& other) {
     for (auto& [key, draws] : draws_) {
       const bool another = key.first.empty() && key.second.rfind("add[", 0) == 0;
@@ -159,7 +159,7 @@ class Resampling {
 
  private:
   void draw(int count) {
-    const Eigen::VectorXd rest = step(blocks_.sum);  // nearly 0: the step that remains to the minimum
+    const Eigen::VectorXd rest = step(blocks_.sum);  // nearly 0: the step that remains to the minimum of the fit
     for (int i = 0; i < count; ++i) {
       Eigen::MatrixXd sum = blocks_.prior;
       moveKnown(sum);
@@ -169,8 +169,8 @@ class Resampling {
     }
   }
 
-  // Adds as many blocks as there are, drawn with replacement. If each log has unknowns of its own, the common part of
-  // an effect scatters from log to log, so that logs are drawn first.
+  // Adds as many blocks as there are, drawn with replacement. If a hypothesis has per-log parameters, the common part
+  // of an effect scatters from log to log. Logs are then drawn first, and blocks within each drawn log.
   void addResampled(Eigen::MatrixXd& sum) {
     const auto any = [&](std::size_t size) {
       return std::uniform_int_distribution<std::size_t>(0, size - 1)(generator_);
@@ -183,7 +183,7 @@ class Resampling {
     }
   }
 
-  // Draws prior values of the model with their deviations, so that numbers that no log determines keep their prior
+  // Draws prior values of the model from their distributions, so that numbers that no log determines keep their prior
   // uncertainty.
   void moveKnown(Eigen::MatrixXd& sum) {
     const Eigen::MatrixXd slopes = fitter_.model().departureSlopes(fitted_.fit.parameters.model);
@@ -195,10 +195,10 @@ class Resampling {
     sum.bottomRows<1>().head(moment.size()) += moment.transpose();
   }
 
-  // Spreads a form error over the parameters of the law: equally over all directions that they span.
+  // Spreads a form error equally over all directions that the parameters of the law span.
   void addFormErrorDirections(Eigen::Index first, Eigen::Index size, double form_error) {
     if (size == 0) {
-      return;  // a law without numbers, such as a contact without preload
+      return;  // such a law has no numbers, for example a contact without preload
     }
     const auto system = numerics::eigensystem(blocks_.sum.block(first, first, size, size));
     for (Eigen::Index i = 0; i < size; ++i) {
@@ -220,7 +220,7 @@ class Resampling {
     return sum;
   }
 
-  // Moves the minimum of normal equations by a step; where bounds are in the way, the other numbers compensate.
+  // Moves the minimum of normal equations by a step. If a bound prevents a part of the step, other numbers compensate.
   static void moveBy(const Eigen::VectorXd& step, Eigen::MatrixXd& sum) {
     const Eigen::Index count = step.size();
     const Eigen::VectorXd moment = sum.topLeftCorner(count, count) * step;
@@ -250,7 +250,7 @@ class Resampling {
         }
       }
     } catch (const std::invalid_argument&) {
-      return;  // no specification has these values: no draw
+      return;  // no specification has these values, so that there is no draw
     }
   }
 
@@ -284,7 +284,7 @@ class Resampling {
     }
   }
 
-  // In a resample without the effect its size is 0.
+  // A resample without the effect contributes a size of 0.
   std::vector<Draw> all(const Key& key, std::vector<Draw> draws) const {
     draws.resize(may_vanish_.count(key) > 0 ? std::max(draws.size(), resamples_) : draws.size(), {0.0, weight_});
     return draws;
@@ -299,7 +299,7 @@ class Resampling {
     std::vector<Draw> draws = all(found->first, found->second);
     std::sort(draws.begin(), draws.end(), isLess);
     size.interval_95 = {std::min(size.value, quantile(draws, 0.025)), std::max(size.value, quantile(draws, 0.975))};
-    // All draws that would lie beyond a bound lie on it.
+    // Draws beyond a bound were moved to the bound, so that an interval that ends at an extreme draw ends at a bound.
     const double least = draws.front().value;
     const double most = draws.back().value;
     size.at_bound = {least < most && size.interval_95[0] == least, least < most && size.interval_95[1] == most};
@@ -307,16 +307,16 @@ class Resampling {
 
   const fit::HypothesisFitter& fitter_;
   const FittedLaw& fitted_;
-  const double weight_;  // of each draw
+  const double weight_;  // weight of each draw
   const fit::Hypothesis hypothesis_;
-  const std::vector<std::string> effects_;  // names of the members
+  const std::vector<std::string> effects_;  // effects of the hypothesis
   const fit::Excitation& excitation_;
   std::mt19937 generator_;
   const fit::BlockGrams blocks_;
-  std::map<int, std::vector<std::size_t>> groups_;  // blocks that are drawn together
-  std::set<Key> may_vanish_;                        // sizes of effects that vanish at 0
+  std::map<int, std::vector<std::size_t>> groups_;  // blocks that are resampled together, by log
+  std::set<Key> may_vanish_;                        // keys of sizes that are 0 without the effect
   const Sizes best_;
-  std::vector<Eigen::VectorXd> form_errors_;  // each of standard deviation 1
+  std::vector<Eigen::VectorXd> form_errors_;  // each scaled by one standard deviation of the form error
   std::map<Key, std::vector<Draw>> draws_;
   std::size_t resamples_ = 0;
 };

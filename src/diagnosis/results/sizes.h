@@ -1,4 +1,4 @@
-// Sizes of the named effects and of the model's parameters, with their uncertainty.
+// Computes the sizes of the named effects and of the parameters of the model, with their uncertainty.
 #pragma once
 
 #include <vector>
@@ -12,16 +12,18 @@ namespace rubber_suspension::diagnosis::results {
 
 /// Numbers of a law.
 struct Sizes {
-  std::vector<SizedValue> model;    ///< its own parameters
-  std::vector<SizedValue> effects;  ///< headline numbers of each member in their order
-  std::vector<SizedValue> written;  ///< every number of its component by its place there (io::numberPlace)
+  std::vector<SizedValue> model;    ///< parameters of the model
+  std::vector<SizedValue> effects;  ///< headline numbers of each effect, in the order of the hypothesis
+  std::vector<SizedValue>
+      written;  ///< every number of the component, named by its position in the file (io::numberPlace)
 };
 
-/// Returns the sizes of the first of several laws whose gaps do not differ enough to choose one. Intervals are
-/// percentiles over resampled blocks of the logs. Each resample moves the fit by one step of its own normal equations
-/// within the bounds of the fit, the prior values of the model by their standard deviations, and the numbers of each
-/// member by its form error. Intervals of the model's values and of headline numbers are over all laws that have them;
-/// a number of one element corresponds to the total over the elements of another law.
+/// Returns the sizes according to the first of several laws, whose gaps differ too little to choose one law. Intervals
+/// are percentiles over resampled blocks of the logs. Each resample moves the fit by one step of its own normal
+/// equations within the bounds. It also varies the prior values of the model by their standard deviations, and the
+/// numbers of each effect by the form error of the effect. Intervals of values of the model and of headline numbers
+/// include all laws that have them. A number of a single element in one law corresponds to the total over the elements
+/// in another law.
 Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<WeighedLaw>& laws,
               const std::vector<double>& form_error, const hypotheses::Search& search, const DiagnosisOptions& options);
 

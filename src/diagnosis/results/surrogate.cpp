@@ -1,4 +1,4 @@
-// Surrogate for the residual force.
+// Fits and judges a surrogate for the residual force.
 #include "diagnosis/results/surrogate.h"
 
 #include <algorithm>
@@ -15,12 +15,12 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-constexpr double kChanceOfGain = 0.05;  // significance level of a gain on unseen blocks
-constexpr double kEvenChance = 0.5;     // if the blocks do not determine it
-constexpr double kLargerPart = 0.5;     // of the squared residual
-constexpr std::size_t kFewestLogs = 3;  // from which the scatter between logs can be estimated
+constexpr double kChanceOfGain = 0.05;  // significance level of an improvement on unseen blocks
+constexpr double kEvenChance = 0.5;     // returned if the blocks do not determine the probability
+constexpr double kLargerPart = 0.5;     // share of the squared residual
+constexpr std::size_t kFewestLogs = 3;  // least number of logs from which the scatter between logs is estimated
 
-// Adds tenths of held-out logs, which took no part in any fit and count as further logs.
+// Appends the tenths of held-out logs, which no fit has used and which count as further logs.
 void addHeldOut(const io::ComponentDescription& component, const io::ComponentDescription& with_surrogate,
                 const std::vector<gap::PreparedRecord>& held_out, int first, std::vector<fit::UnseenBlock>& unseen) {
   for (std::size_t r = 0; r < held_out.size(); ++r) {
@@ -33,16 +33,16 @@ void addHeldOut(const io::ComponentDescription& component, const io::ComponentDe
   }
 }
 
-// Half the logarithm of the ratio of the squared errors after and before, both with the noise, so that only the part of
-// the error above the noise counts.
+// Returns half the logarithm of the ratio of the squared errors after and before. The squared noise is added to both,
+// so that only the error above the noise counts. The result is negative if the surrogate reduces the error.
 double gainOf(const fit::UnseenBlock& block, double noise_floor) {
   const double noise = noise_floor * noise_floor;
   return 0.5 * std::log((block.after + noise) / (block.before + noise));
 }
 
-// Probability that such a mean gain occurs by chance, by Student's t over logs, or over blocks if there are few logs.
-// The standard error is that of a weighted mean over clusters (Cameron and Miller, J. Human Resources 50, 2015, Eq.
-// 11), because blocks of one log are not independent.
+// Returns the probability that the mean improvement occurs by chance, with Student's t over logs, or over blocks if
+// there are few logs. The standard error is that of a weighted mean over clusters (Cameron and Miller, J. Human
+// Resources 50, 2015, Eq. 11), because blocks of one log are not independent.
 double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, bool count_logs) {
   double weight = 0.0;
   double mean = 0.0;
@@ -51,7 +51,7 @@ double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor,
     mean += block.weight * gainOf(block, noise_floor);
   }
   mean /= weight;
-  std::map<int, double> departs;  // by cluster: weighted sum of deviations from the mean
+  std::map<int, double> departs;  // weighted sum of deviations from the mean in each cluster
   for (std::size_t b = 0; b < unseen.size(); ++b) {
     departs[count_logs ? unseen[b].record : static_cast<int>(b)] +=
         unseen[b].weight * (gainOf(unseen[b], noise_floor) - mean);
@@ -66,9 +66,9 @@ double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor,
   return error > 0.0 ? boost::math::cdf(boost::math::students_t(clusters - 1.0), mean / error) : mean < 0.0 ? 0.0 : 1.0;
 }
 
-constexpr std::size_t kCells = 32;  // along each axis
-constexpr int kFewestSamples = 5;   // in a cell
-constexpr double kFastest = 0.995;  // share of samples within the map, which a few fast samples would stretch
+constexpr std::size_t kCells = 32;  // number of cells along each axis of the map
+constexpr int kFewestSamples = 5;   // least number of samples in a cell with a value
+constexpr double kFastest = 0.995;  // share of samples within the map; a few fast samples would stretch it
 constexpr std::size_t kVelocitySamples = 20000;
 
 std::vector<double> evenEdges(double low, double high) {
@@ -83,7 +83,7 @@ double velocityOf(const log::Record& record, Eigen::Index i) {
   return (record.displacement[i + 1] - record.displacement[i - 1]) / (2.0 * record.dt);
 }
 
-// The speed that all but a few samples stay below.
+// Returns the speed below which all but a few samples lie.
 double usualSpeed(const std::vector<gap::PreparedRecord>& records) {
   std::vector<double> speeds;
   for (const log::Record& record : records) {
@@ -129,7 +129,7 @@ void judgeRest(const std::vector<fit::UnseenBlock>& unseen, double noise_floor, 
   }
   surrogate.unseen_before = std::sqrt(before / weight);
   surrogate.unseen_after = std::sqrt(after / weight);
-  // The residual in unseen blocks includes the noise, so that a floor above it cannot be right.
+  // The residual in unseen blocks includes the noise. A noise floor above this residual is therefore wrong.
   const double floor = noise_floor < surrogate.unseen_after ? noise_floor : 0.0;
   const double rest = gap::residualAboveFloor(surrogate.unseen_before, floor);
   const double left = gap::residualAboveFloor(surrogate.unseen_after, floor);
@@ -149,7 +149,7 @@ Surrogate fitSurrogate(const io::ComponentDescription& component, const Surrogat
   std::copy_if(fit.unseen.begin(), fit.unseen.end(), std::back_inserter(unseen),
                [](const fit::UnseenBlock& block) { return block.weight > 0.0; });
   const double share = static_cast<double>(logs.training.size());
-  for (fit::UnseenBlock& block : unseen) {  // each log counts 1, as those held out do
+  for (fit::UnseenBlock& block : unseen) {  // each log counts 1, like the held-out logs
     block.weight *= share;
     block.after = fit.predicts ? block.after : block.before;
   }

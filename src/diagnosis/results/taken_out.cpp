@@ -1,4 +1,4 @@
-// Account of the errors removed from each log.
+// Accounts for the errors that were removed from each log.
 #include "diagnosis/results/taken_out.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ VectorXd countsOf(const log::Record& record) {
   return record.counts.size() == 0 ? VectorXd::Ones(record.size()).eval() : record.counts;
 }
 
-// Adds the first cycle of a log that starts in motion to the samples that count, as far as its force was measured.
+// Lets the first cycle of a log that starts in motion count too, as far as its force was measured.
 VectorXd withStart(VectorXd counts, const VectorXd& measured) {
   for (Index i = 0; i < counts.size() && counts[i] == 0.0; ++i) {
     counts[i] = measured.size() == 0 ? 1.0 : measured[i];
@@ -39,7 +39,7 @@ VectorXd withStart(VectorXd counts, const VectorXd& measured) {
 
 using Displacements = std::vector<VectorXd>;
 
-// Forces over other displacements of the same records.
+// Returns the forces that other displacements cause in the same records.
 gap::Forces simulateOver(const std::vector<element::ElementDescription>& elements,
                          const std::vector<gap::PreparedRecord>& of_the_fit,
                          const std::vector<gap::PreparedRecord>& held_out, const Displacements& displacements) {
@@ -51,7 +51,7 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
   return forces;
 }
 
-// Columns of the errors of a rig, and the kind under which each is reported.
+// Columns of the least-squares system, one per error of the rig, and the kind under which each error is reported.
 struct KindColumns {
   std::vector<std::string> kinds;
   Eigen::MatrixXd columns;
@@ -72,7 +72,7 @@ const char* kindOf(measurement::Nuisance nuisance) {
   }
 }
 
-// A straight line and half cosines: slow changes over the whole log.
+// Returns columns that span slow changes over the whole log: a straight line and half cosines.
 Eigen::MatrixXd driftColumns(Index samples) {
   constexpr Index kCosines = 8;
   const auto count = static_cast<double>(samples);
@@ -99,8 +99,8 @@ KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
   return result;
 }
 
-// Distributes the part of a residual that the nuisances of a record explain over their kinds, by how well they explain
-// it.
+// Distributes the part of the residual that the errors of the rig explain over their kinds. Each kind is weighted by
+// how much of its column they explain.
 void takeNuisances(const gap::PreparedRecord& record, const VectorXd& counts, const VectorXd& simulated,
                    LogAccount& account) {
   constexpr double kRidge = 1e-6;
@@ -117,7 +117,7 @@ void takeNuisances(const gap::PreparedRecord& record, const VectorXd& counts, co
     const Index size = kinds.columns.cols();
     const Eigen::MatrixXd gram = numerics::gramOf(kinds.columns) + kRidge * Eigen::MatrixXd::Identity(size, size);
     const VectorXd values = numerics::Cholesky(gram).solve(VectorXd(kinds.columns.transpose() * taken));
-    // |residual|^2 - |left|^2 is the product of `taken` and `both`, in which the parts of what was removed add up.
+    // |residual|^2 - |left|^2 is the product of `taken` and `both`. This product is linear in what was removed.
     const VectorXd both = residual + left;
     for (Index j = 0; j < size; ++j) {
       const double square = values[j] * kinds.columns.col(j).dot(both) / scale;
@@ -126,7 +126,7 @@ void takeNuisances(const gap::PreparedRecord& record, const VectorXd& counts, co
   }
 }
 
-// Forces of the elements on the displacement at each stage.
+// Forces of the elements for the displacements as recorded, and after missing samples have been bridged.
 struct Stages {
   gap::Forces recorded;
   gap::Forces bridged;
@@ -149,8 +149,8 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   }
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
-  // Computed as gaps are: each part of the log without the errors of the rig that the other parts determine. The part
-  // of the reduction that belongs to no other kind counts as initial state.
+  // Computed as gaps are: for each part of the log, the other parts determine the removed errors of the rig. A
+  // reduction that belongs to no other kind counts as initial state.
   const auto without = [&](const fit::PerLogNuisances& also) {
     const double gap =
         gap::gapOfParts(gap::partErrors({record}, {forces.bridged[r]}, {also.unknowns(record, r, forces.bridged[r])}));
@@ -169,7 +169,7 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   return account;
 }
 
-// The effect of an offset of the displacement on each record.
+// Returns the change of the force by an offset of the displacement, for each record.
 std::vector<VectorXd> byZeros(const std::vector<element::ElementDescription>& elements,
                               const std::vector<gap::PreparedRecord>& of_the_fit,
                               const std::vector<gap::PreparedRecord>& held_out) {
@@ -196,7 +196,7 @@ void LogAccount::takeOut(const std::string& kind, double left) {
 }
 
 std::vector<TakenOut> LogAccount::entries() const {
-  constexpr double kNothing = 1e-12;  // rounding
+  constexpr double kNothing = 1e-12;  // differences due to rounding
   std::vector<TakenOut> entries;
   for (const auto& [kind, square] : squares_) {
     if (std::abs(square) > kNothing) {

@@ -1,4 +1,4 @@
-// Errors removed from each log before it is compared with a model, accounted for by kind.
+// Accounts for the errors that are removed from each log before it is compared with a model.
 #pragma once
 
 #include <string>
@@ -14,28 +14,28 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Kinds, as reports write them.
+/// Kinds of errors, spelled as in reports.
 namespace taken_out {
 inline constexpr const char* kSpikes = "spikes";  ///< samples that a channel did not measure
-inline constexpr const char* kLine = "line";      ///< of mains or a pump
-inline constexpr const char* kZero = "zero";      ///< of the force
+inline constexpr const char* kLine = "line";      ///< force that mains or a pump add
+inline constexpr const char* kZero = "zero";      ///< offset of the force
 inline constexpr const char* kDisplacement = "displacement_zero";
 inline constexpr const char* kInitialState = "initial_state";
 inline constexpr const char* kDrift = "drift";
 inline constexpr const char* kGain = "gain";
-inline constexpr const char* kFriction = "friction_factor";  ///< factor on the friction of the log
+inline constexpr const char* kFriction = "friction_factor";  ///< factor on the friction of the component in the log
 inline constexpr const char* kDelay = "delay";
 }  // namespace taken_out
 
-/// Account of one log. It begins with the mean squared residual of a model on the log as recorded, over the variance of
-/// the force; each takeOut() states the value that remains.
+/// Account of one log. It starts with the mean squared residual of a model on the log as recorded, divided by the
+/// variance of the force. Each call of takeOut() states the value that remains.
 class LogAccount {
  public:
   LogAccount(std::string log, double recorded) : log_(std::move(log)), recorded_(recorded), left_(recorded) {}
 
   void takeOut(const std::string& kind, double left);
 
-  /// Return the value at the beginning and now. They differ by the sum of the squares of entries(), each with its sign.
+  /// Return the value at the start and the current one. Their difference is the sum of the signed squares of entries().
   double recorded() const { return recorded_; }
   double left() const { return left_; }
 
@@ -49,8 +49,8 @@ class LogAccount {
   std::vector<std::pair<std::string, double>> squares_;
 };
 
-/// Returns the accounts of records against elements: first of those of the fit, which were recorded on one component,
-/// then of the held-out ones, each on a new component. `free`: unknowns of the judged hypothesis in each log.
+/// Returns the accounts of records for a model. The records of the fit come first and were recorded on one component;
+/// then come the held-out records, each of a new component. `free` are the per-log parameters of the judged hypothesis.
 std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<gap::PreparedRecord>& of_the_fit,
                                    const std::vector<gap::PreparedRecord>& held_out,

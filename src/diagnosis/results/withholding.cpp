@@ -1,4 +1,4 @@
-// Choice of the effects that the component file omits.
+// Chooses the effects that are omitted from the component file.
 #include "diagnosis/results/withholding.h"
 
 #include <algorithm>
@@ -31,13 +31,13 @@ class Withholding {
     return leftOfLogs(records_, rig_, configured_, forcesOf(written));
   }
 
-  /// True if a hypothesis frees a gain or an offset in each log.
+  /// Returns true if a hypothesis fits a gain or an offset to each log.
   bool differsBetweenLogs(int hypothesis) const {
     const fit::PerLogNuisances& free = search_.at(hypothesis).hypothesis.free_in_log;
     return free.gain || free.offset;
   }
 
-  /// Place in the evidence of the best hypothesis with one effect fewer; without effects, of the model as configured.
+  /// Returns the index of the best hypothesis with one effect fewer, or of the configured model if there is no effect.
   int without(int hypothesis) const {
     const std::vector<int>& members = evidence_.at(hypothesis).members;
     if (members.empty()) {
@@ -63,7 +63,7 @@ class Withholding {
     return search_.candidates[static_cast<std::size_t>(member)].free_in_log.any();
   }
 
-  // Place of the hypothesis without one of its members; -1 if it was not fitted.
+  // Returns the index of the hypothesis without one of its effects, or -1 if that was not fitted.
   int placeOf(std::vector<int> members, int without) const {
     members.erase(std::find(members.begin(), members.end(), without));
     const auto found = std::find_if(evidence_.hypotheses.begin() + Evidence::kReEstimated, evidence_.hypotheses.end(),
@@ -71,7 +71,7 @@ class Withholding {
     return found == evidence_.hypotheses.end() ? -1 : static_cast<int>(found - evidence_.hypotheses.begin());
   }
 
-  // Forces on the logs of the fit, with the reported factors on friction, then on the held-out logs.
+  // Returns the forces on the logs of the fit, with the reported factors on friction, then those on the held-out logs.
   gap::Forces forcesOf(const io::ComponentDescription& description) const {
     const auto elements = description.allElements();
     gap::Forces forces = gap::simulate(elements, prepared_.training, gap::asRecorded);
@@ -93,7 +93,7 @@ class Withholding {
   gap::Forces configured_;
 };
 
-// Names of the effects that only the larger hypothesis has; "values" if it has none.
+// Returns the names of the effects that the smaller hypothesis lacks, or "values" if it lacks none.
 std::vector<std::string> lackedBy(const Evidence& evidence, int smaller, int larger) {
   std::vector<std::string> names;
   const std::vector<int>& kept = evidence.at(smaller).members;

@@ -9,10 +9,11 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Returns the written law of an answer without effects that make its gap on a log larger than that of the configured
-/// component (leftOfLogs()), and without gains and offsets of single logs. Effects of single logs are withheld first,
-/// then those without which the excess is least; if none remains, re-estimated or else configured values are written.
-/// `named`: the law with all effects; `before`: gap of the re-estimated model; `findings`: errors of the rig.
+/// Returns the written law of an answer, without effects that make its gap on a log larger than that of the configured
+/// component (leftOfLogs()), and without gains and offsets of single logs. Effects with per-log parameters are withheld
+/// first, then in each step the effect whose omission leaves the least excess. If no effect remains, the re-estimated
+/// values are written, or the configured values if those are too bad as well. `named` is the law with all effects,
+/// `before` the gap of the re-estimated model, and `findings` are the errors of the rig.
 MeasuredLaw withoutDamage(const hypotheses::PreparedCase& prepared, const Workings& workings, MeasuredLaw named,
                           double before, const std::vector<measurement::RigFinding>& findings,
                           const DiagnosisOptions& options);

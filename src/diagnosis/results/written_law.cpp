@@ -1,4 +1,4 @@
-// Fit, sizes, rounding and gap of the law that is written.
+// Computes the law that is written: its fit, its sizes, its rounding and its gap.
 #include "diagnosis/results/written_law.h"
 
 #include <fmt/format.h>
@@ -18,14 +18,15 @@ namespace rubber_suspension::diagnosis::results {
 namespace {
 
 constexpr int kMostFiner = 8;
-constexpr double kShows = 0.01;  // share by which rounding may increase a gap
+// Share by which rounding may increase a gap.
+constexpr double kShows = 0.01;
 
 struct Rounded {
   io::ComponentDescription component;
   std::vector<SizedValue> written;
 };
 
-// The exact component rounded as far as the gap to the logs of the fit allows.
+// Rounds the numbers of a component as far as the gap on the logs of the fit allows.
 Rounded roundTo(const io::ComponentDescription& exact, const std::vector<gap::PreparedRecord>& records,
                 const std::vector<SizedValue>& written) {
   const auto gapOf = [&](const io::ComponentDescription& component) {
@@ -40,7 +41,7 @@ Rounded roundTo(const io::ComponentDescription& exact, const std::vector<gap::Pr
         return result;
       }
     } catch (const std::invalid_argument&) {
-      continue;  // numbers this coarse make no component
+      continue;  // a component with numbers this coarse is invalid
     }
   }
   return {exact, written};
@@ -64,7 +65,7 @@ io::ComponentDescription componentOf(const hypotheses::PreparedCase& prepared, c
   return result;
 }
 
-// Effects of the entries of a law, in order.
+// Returns the effect of each entry of a law.
 std::vector<std::string> ownersOf(const FittedLaw& fitted, const std::vector<fit::Candidate>& candidates) {
   std::vector<std::string> owners;
   const std::vector<Entries> of_members = fitted.law.at(fitted.fit.parameters.scales);
@@ -77,7 +78,7 @@ std::vector<std::string> ownersOf(const FittedLaw& fitted, const std::vector<fit
 
 constexpr int kMostDigits = 15;
 
-// Rounds a number to `decimals`, which may be negative; with an exponent if it is large or has many decimals.
+// Rounds a number to `decimals`, which may be negative. Large numbers and numbers with many decimals get an exponent.
 std::string toDecimals(double value, int decimals) {
   constexpr double kMostFixed = 1e12;
   if (std::abs(value) > kMostFixed || decimals > kMostDigits) {
@@ -90,7 +91,8 @@ std::string toDecimals(double value, int decimals) {
   return std::stod(text) == 0.0 ? fmt::format("{:.1g}", value) : text;  // no number is rounded to 0
 }
 
-// The unit in the configured file. If the file has units, but none of this kind, the one that engineers use.
+// Returns the unit in the configured file. If the file has units but none for this kind, returns a unit that engineers
+// use.
 std::string unitOf(const io::ComponentDescription& component, const SizedValue& size) {
   const auto given = component.units.find(size.unit);
   if (given != component.units.end() || component.units.empty()) {
@@ -99,7 +101,7 @@ std::string unitOf(const io::ComponentDescription& component, const SizedValue& 
   return size.unit == "m" ? "mm" : size.unit == "N/m" ? "kN/mm" : size.unit == "N" ? "N" : "";
 }
 
-// A text in a unit that reads back as the same number; in SI if there is none.
+// Returns a text in this unit that is read back as exactly the same number. If there is none, the text is in SI units.
 std::string exactly(double value, const std::string& si, const std::string& unit) {
   const std::string text = unit.empty() ? "" : fmt::format("{:.12g} {}", log::UnitConversion(si, unit)(value), unit);
   return !text.empty() && log::parseQuantity(text, si) == value ? text : fmt::format("{}", value);
@@ -114,7 +116,7 @@ std::string roundedText(const SizedValue& size, const std::string& unit, int fin
   return number + (unit.empty() ? "" : " " + unit);
 }
 
-// The number that the text at this place reads back to; `value` if there is no text.
+// Returns the number that is read back from the text with this name, or `value` if there is no such text.
 double readBack(const std::vector<SizedValue>& written, const std::string& place, double value) {
   const auto size = std::find_if(written.begin(), written.end(), [&](const auto& one) { return one.name == place; });
   return size == written.end() || size->text.empty() ? value : log::parseQuantity(size->text, size->unit);
@@ -187,7 +189,7 @@ io::ComponentDescription asWritten(const io::ComponentDescription& exact, const 
   result.rig = exact.rig;
   result.temperature = exact.temperature;
   copyProperties(exact, result);
-  result.makeComponent();  // throws where a number is out of its range
+  result.makeComponent();  // throws if a number is out of its range
   return result;
 }
 

@@ -1,4 +1,4 @@
-// The component that a diagnosis writes: the simplest law of each named effect, rounded, and its errors.
+// Computes the component that a diagnosis writes, with the simplest law of each named effect, and its errors.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,6 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// The written component of a judged hypothesis, and its errors.
 struct MeasuredLaw {
   WrittenLaw law;
   Replayed errors;
@@ -17,12 +16,12 @@ struct MeasuredLaw {
   bool as_configured = false;  ///< no value was fitted
 };
 
-/// Simplifies and rounds the law of a judged hypothesis. `before`: gap of the re-estimated model.
+/// Simplifies and rounds the law of a judged hypothesis. `before` is the gap of the re-estimated model.
 MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const hypotheses::Search& search,
                        const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options);
 
-/// Returns the written numbers with their texts in the unit of the configured file: exact if the number is as
-/// configured, otherwise rounded to a tenth of half its interval and `finer` digits finer.
+/// Returns the written numbers with texts in the units of the configured file. A number that equals the configured one
+/// is exact. Other numbers are rounded to a tenth of half their interval, or with `finer` more digits.
 std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::ComponentDescription& component, int finer);
 
 /// Returns the component that a file with these texts describes. Throws std::invalid_argument if a number is out of its
