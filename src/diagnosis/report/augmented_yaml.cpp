@@ -1,4 +1,4 @@
-// Component files with comments on their numbers.
+// Writes component files with comments on their numbers.
 #include "diagnosis/report/augmented_yaml.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ std::string originOf(const Diagnosis& d, double gap) {
       words::percent(d.gaps.unseen.re_estimated), words::percent(gap), words::percent(d.gaps.unseen.noise_floor));
 }
 
-// Writes a number with as many decimals as another number in the file.
+// Returns the value with as many decimals as another number in the file.
 std::string inDigitsOf(const std::string& number, double value) {
   const std::size_t point = number.find('.');
   const std::size_t exponent = std::min(number.find('e'), number.size());
@@ -38,7 +38,7 @@ std::string inDigitsOf(const std::string& number, double value) {
   return exponent < number.size() ? fmt::format("{:.{}e}", value, decimals) : fmt::format("{:.{}f}", value, decimals);
 }
 
-// The interval in the unit and the digits of the number as the file has it.
+// Returns the interval in the unit of the number in the file, with as many decimals.
 std::string intervalInFile(const SizedValue& size) {
   const std::string text = size.text.empty() ? fmt::format("{}", size.value) : size.text;
   const std::string unit = log::unitOfQuantity(text);

@@ -1,4 +1,4 @@
-// The component files of a report, with their origin.
+// Writes the component files of a report.
 #pragma once
 
 #include <string>
@@ -7,13 +7,14 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// Returns the style of WrittenLaw::augmented: rounded numbers with intervals as comments. Refers to `diagnosis`.
+/// Returns the style of WrittenLaw::augmented: rounded numbers, with intervals as comments. Keeps a reference to
+/// `diagnosis`.
 io::YamlStyle augmentedStyle(const Diagnosis& diagnosis);
 
-/// Returns the text of WrittenLaw::augmented with comments: origin, gaps, interval of each number. Reads back to it.
+/// Returns WrittenLaw::augmented as YAML, with the origin, the gaps and the interval of each number as comments.
 std::string augmentedYaml(const Diagnosis& diagnosis);
 
-/// Returns the text of WrittenLaw::full, with its origin.
+/// Returns WrittenLaw::full as YAML, with its origin.
 std::string fullYaml(const Diagnosis& diagnosis);
 
 }  // namespace rubber_suspension::diagnosis::report

@@ -1,4 +1,4 @@
-// Changes between two reports.
+// Compares two reports.
 #include "diagnosis/report/compare.h"
 
 #include <fmt/format.h>
@@ -23,9 +23,9 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kReportSchema = "rubber_suspension/gap_report/1";
-constexpr std::size_t kLargestReport = 16UL * 1024 * 1024;  // bytes; one about six logs has some 0.1 MB
+constexpr std::size_t kLargestReport = 16UL * 1024 * 1024;  // bytes; a report on six logs has about 0.1 MB
 
-// A value with the interval that its report gives it.
+// A value and its interval in a report.
 struct Measured {
   double value = 0.0;
   std::array<double, 2> interval{};
@@ -36,7 +36,7 @@ double numberOf(const json& value) { return value.is_number() ? value.get<double
 
 std::array<double, 2> pairOf(const json& pair) { return {numberOf(pair.at(0)), numberOf(pair.at(1))}; }
 
-// Reads a list of sizes of an earlier report.
+// Returns a list of sizes in an earlier report.
 std::vector<SizedValue> readSizes(const json& report, const char* list) {
   return element::each(report.value(list, json::array()), [](const json& entry) -> SizedValue {
     return {entry.at("owner"),
@@ -130,14 +130,16 @@ std::string effectsOf(const Diagnosis& d) {
   return d.answer.effects.empty() ? "none" : words::enumerated(d.answer.effects);
 }
 
-// A place of the gap, over all logs together because the names of logs differ from day to day.
+// A frequency band, amplitude band and quantity in which a part of the gap lies. Logs are not distinguished, because
+// their names differ from day to day.
 using Place = std::tuple<double, double, double, double, std::string>;
 
-// Part of the gap as configured in each place, relative to the force's standard deviation.
+// Returns the part of the gap as configured in each place, divided by the standard deviation of the force.
 std::map<Place, double> placesOf(const Diagnosis& d) {
   std::map<Place, double> squares;
   for (const gap::GapCell& cell : d.where.before) {
-    // The band of mean and drift ends at half of the sampling rate, which depends on the recorder.
+    // The band of mean and drift ends at half of the sampling rate, which depends on the recorder. It is therefore
+    // ignored.
     const std::array<double, 2> band = cell.frequency[0] <= 0.0 ? std::array<double, 2>{} : cell.frequency;
     squares[{band[0], band[1], cell.amplitude[0], cell.amplitude[1], toString(cell.quantity)}] +=
         cell.share * d.gaps.unseen.as_configured * d.gaps.unseen.as_configured;
@@ -200,7 +202,6 @@ class Comparer {
     }
   }
 
-  // The places that changed most.
   void comparePlaces() {
     constexpr std::size_t kMost = 8;
     std::map<Place, std::pair<double, double>> places;

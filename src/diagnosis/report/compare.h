@@ -1,4 +1,4 @@
-// Changes between two reports, for example of two test days.
+// Compares two reports, for example of two test days.
 #pragma once
 
 #include <string>
@@ -7,22 +7,22 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// An earlier report.json.
 class EarlierReport {
  public:
-  /// Reads the report. Throws std::runtime_error, one line that begins with the path, if it cannot be read or is no
-  /// report of `diagnose`.
+  /// Reads the report. Throws std::runtime_error if it cannot be read or is no report of `diagnose`. The message is one
+  /// line that begins with the path.
   explicit EarlierReport(const std::string& path);
-  /// Compares verdict, gaps, sizes, rig findings and the places of the gap. A size or finding differs if the two 95 %
-  /// intervals do not overlap; a gap, or its part in a place, if it changed by more than both noise floors together.
+  /// Compares verdict, gaps, sizes, findings about the rig and where the gap lies. Two sizes or findings differ if
+  /// their 95 % intervals do not overlap. Two gaps, or two parts of the gap, differ by more than the sum of both noise
+  /// floors.
   Comparison compare(const Diagnosis& diagnosis) const;
 
  private:
   std::string path_;
-  Diagnosis report_;  // only with the values that are compared
+  Diagnosis report_;  // contains only the values that are compared
 };
 
-/// Returns the differences as lines for a terminal, after a line that names the earlier report.
+/// Returns the differences as lines for a terminal. The first line names the earlier report.
 std::string toText(const Comparison& comparison);
 
 }  // namespace rubber_suspension::diagnosis::report

@@ -1,4 +1,4 @@
-// Simulated effects and the plans of experiments, for a terminal and as JSON.
+// Reports simulated effects and the plans of experiments, for a terminal and as JSON.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,7 +22,7 @@ namespace {
 using nlohmann::ordered_json;
 using words::spoken;
 
-// Outcomes, and their names in the report.
+// Outcomes in JSON, and their names in the report.
 constexpr std::pair<const char*, const char*> kOutcomes[] = {{"found", "found"},
                                                              {"confounded", "found in a set"},
                                                              {"taken_for", "named as another"},
@@ -35,7 +35,7 @@ std::string outcomeText(const std::string& outcome) {
   return row->second;
 }
 
-// Joins `text` of the name and the effects of each outcome that has effects.
+// Calls `text` with the name and the effects of each outcome that occurs, and joins the results.
 template <class Text>
 std::string eachOutcome(const CouldShow& could_show, const std::string& separator, const Text& text) {
   std::vector<std::string> texts;
@@ -59,14 +59,14 @@ std::string namesText(const std::vector<std::string>& names, std::size_t most) {
          (names.size() > most ? fmt::format(" (and {} more)", names.size() - most) : "");
 }
 
-// "12 found, 3 out of reach": how many effects have each outcome.
+// Returns the number of effects for each outcome, such as "12 found, 3 out of reach".
 std::string outcomesInNumbers(const CouldShow& could_show) {
   return eachOutcome(could_show, ", ", [](const std::string& name, const std::vector<std::string>& effects) {
     return fmt::format("{} {}", effects.size(), name);
   });
 }
 
-// "Found: friction, creep. Out of reach: inertia.", short enough for a printed page.
+// Returns a text such as "Found: friction, creep. Out of reach: inertia.", which is short enough for a printed page.
 std::string outcomesInWords(const CouldShow& could_show) {
   return eachOutcome(could_show, " ", [](const std::string& name, const std::vector<std::string>& effects) {
     return words::capitalised(name) + ": " + words::enumerated(effects) + ".";

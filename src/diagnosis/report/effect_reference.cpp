@@ -1,4 +1,4 @@
-// The reference page of the effects that a diagnosis may name.
+// Writes the reference page of the effects that a diagnosis may name.
 #include "diagnosis/report/effect_reference.h"
 
 #include <fmt/format.h>
@@ -11,8 +11,9 @@
 namespace rubber_suspension::diagnosis::report {
 namespace {
 
-// A spring of 3 MN/m at 2 mm and up to 10 Hz for a minute, from 10 to 40 degC, in tension alone, as for a contact that
-// opens. The elements of a candidate depend on no other property of the excitation.
+// Returns the excitation of a spring of 3 MN/m at 2 mm and up to 10 Hz, for a minute, from 10 to 40 degC. The motion is
+// in tension only, so that the contact that opens is a candidate. Candidates depend on no other property of an
+// excitation.
 fit::Excitation typicalExcitation() {
   fit::Excitation excitation;
   excitation.largest_displacement = 2e-3;

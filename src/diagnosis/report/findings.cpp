@@ -1,4 +1,4 @@
-// Findings about the rig: their meaning and remedy.
+// States the meaning and the remedy of findings about the rig.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ bool holdsZero(const RigFinding& finding) {
   return hasInterval(finding) && finding.interval_95[0] <= 0.0 && finding.interval_95[1] >= 0.0;
 }
 
-// A finding is sure if it is fatal, or if its interval excludes 0 and, for errors that a rig makes in all logs alike,
-// no other log shows the opposite sign.
+// Returns true for a fatal finding, and for a finding whose interval excludes 0. Gain, delay and clock error of a rig
+// have the same sign in all logs, so that such a finding is not sure if another log shows the opposite sign.
 bool isSure(const RigFinding& finding, const std::vector<RigFinding>& all) {
   const bool of_rig = finding.finding == measurement::finding::kDelay ||
                       finding.finding == measurement::finding::kSensorGain ||

@@ -1,4 +1,4 @@
-// Files of the report, with the numbers of its figures.
+// Writes the files of the report, including the numbers of its figures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ constexpr const char* kEvidence = "evidence.json";
 constexpr const char* kReport = "report.json";
 constexpr const char* kPage = "report.html";
 
-// Files not yet in place, so that an older report stays until this one is complete. A signal removes them.
+// Files that are not yet in place, so that an older report stays until this one is complete. A signal deletes them.
 class NewReport {
  public:
   explicit NewReport(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -46,8 +46,8 @@ class NewReport {
     files_.back().second->write(text);
   }
 
-  // Removes files of an earlier report that this one lacks: they would seem to be part of it. The caller has checked
-  // that they are the package's own. The page is removed first, because it refers to the others.
+  // Removes files of an earlier report that this report lacks, because they would seem to belong to it. The caller has
+  // checked that the package wrote them. The page is removed first, because it refers to the other files.
   void commit() {
     io::removePage((folder_ / kPage).string());
     for (const std::string& name : reportFiles()) {
@@ -74,7 +74,7 @@ std::string experimentCsv(const ProposedExperiment& experiment, bool turns) {
   return text;
 }
 
-// Drive file for rigs of MTS and Instron, in the unit that these use.
+// Returns a drive file for rigs of MTS and Instron, in the unit that these rigs use.
 std::string driveFile(const ProposedExperiment& experiment, bool turns) {
   log::RpcChannel channel{"displacement", turns ? "rad" : "mm", experiment.displacement};
   for (double& z : channel.values) {
@@ -83,7 +83,7 @@ std::string driveFile(const ProposedExperiment& experiment, bool turns) {
   return log::rpcFile(experiment.dt, {channel});
 }
 
-// "displacement_mm" for "displacement [mm]", "gap" for "gap [-]".
+// Returns a column name: "displacement_mm" for "displacement [mm]", "gap" for "gap [-]".
 std::string columnOf(const std::string& label) {
   const std::string joined = std::regex_replace(label, std::regex("[^A-Za-z0-9]+"), "_");
   const std::string name = boost::trim_copy_if(joined, boost::is_any_of("_"));
@@ -123,7 +123,7 @@ std::string mapRows(const io::Axes& axes) {
   return rows;
 }
 
-// One line for each cell with enough samples.
+// Returns a table with one line for each cell that has enough samples.
 std::string missingForceCsv(const MissingForce& map, bool turns) {
   std::string text = turns ? "displacement_rad,velocity_rad_per_s,missing_moment_N_m,surrogate_moment_N_m,samples\n"
                            : "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples\n";

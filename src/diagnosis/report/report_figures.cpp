@@ -1,4 +1,4 @@
-// The figures of the report.
+// Computes the figures of the report.
 #include "diagnosis/report/report_figures.h"
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kCyclesOfLoop = 3.0;       // of a loop: more would merge into an area
-constexpr Eigen::Index kMostPoints = 1500;  // of a curve
+constexpr double kCyclesOfLoop = 3.0;       // number of cycles in a loop; more would merge into an area
+constexpr Eigen::Index kMostPoints = 1500;  // largest number of points in a curve
 constexpr std::size_t kMostLoops = 4;
 
 std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index count, double factor) {
@@ -35,13 +35,13 @@ std::vector<double> take(const Eigen::VectorXd& values, Eigen::Index first, Eige
   return result;
 }
 
-// Residual of a component on a record for all figures [N], without possible errors of the rig, as in gaps.
+// Returns the residual of a component on a record [N], without possible errors of the rig, as for gaps.
 Eigen::VectorXd leftOf(const Workings& workings, std::size_t r, const gap::Forces& simulated) {
   const gap::PreparedRecord& record = workings.simulated.records[r];
   return record.withoutRig(record.force - simulated[r]);
 }
 
-// At most kMostLoops records: hold-outs in their order, then the others by decreasing gap of the re-estimated model.
+// Returns at most kMostLoops records: hold-outs in their order, then the others in descending order of their gap.
 std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
   std::vector<std::size_t> order(diagnosis.workings->simulated.records.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -61,15 +61,15 @@ std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
   return order;
 }
 
-// Samples of a number of cycles of the mean frequency.
+// Returns the number of samples in this many cycles of the mean frequency.
 Eigen::Index cyclesOf(const log::Record& record, double cycles) {
   const double length = record.mean_frequency > 0.0 ? cycles / record.mean_frequency : record.duration();
   return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(length / record.dt),
                                   std::min<Eigen::Index>(2, record.size()), record.size());
 }
 
-// Start of the last stretch in which the displacement has its widest range, within a tolerance; the last, because most
-// transients have decayed there.
+// Returns the start of a stretch in which the displacement has nearly its widest range. The last such stretch is
+// chosen, because most transients have decayed there.
 Eigen::Index widestStretch(const log::Record& record, Eigen::Index count) {
   constexpr double kAsWide = 0.98;
   Eigen::Index best = 0;
@@ -85,7 +85,8 @@ Eigen::Index widestStretch(const log::Record& record, Eigen::Index count) {
   return best;
 }
 
-// Both curves remain visible where they coincide: measured forces are broad and below, simulated ones thin and above.
+// Where the curves coincide, both remain visible: the measured curve is broad, and the simulated one is thin and above
+// it.
 constexpr double kBroad = 3.0;
 constexpr double kThin = 1.0;
 
@@ -106,8 +107,8 @@ io::Figure loops(const Diagnosis& diagnosis) {
     io::Axes axes{fmt::format("{}{}, {:.4g} to {:.4g} s", record.name, r >= w.simulated.training ? " (held out)" : "",
                               static_cast<double>(first) * record.dt, static_cast<double>(first + count) * record.dt),
                   "displacement [mm]", "force [kN]"};
-    // The errors of the rig are removed from the measured force about the augmented component; from there, each
-    // simulated force differs by its gap.
+    // The measured force is drawn without errors of the rig, as the force of the augmented component plus its residual.
+    // Each other simulated force then differs from the measured force by its own residual.
     const Eigen::VectorXd& after = w.simulated.augmented[r];
     const Eigen::VectorXd measured = after + leftOf(w, r, w.simulated.augmented);
     const Eigen::VectorXd before = measured - leftOf(w, r, w.simulated.configured);
@@ -128,7 +129,7 @@ io::Axes comparedAxes(const prepare::ComparedLog& log, const std::string& as) {
   return axes;
 }
 
-// Two panels for each log: as recorded, and with the correction.
+// Returns two panels for each log: as recorded, and with the correction.
 io::Figure benchFigure(const Diagnosis& diagnosis) {
   io::Figure figure{"Measured and simulated"};
   for (const prepare::CheckedLog& log : diagnosis.bench_evidence->logs) {
@@ -140,7 +141,8 @@ io::Figure benchFigure(const Diagnosis& diagnosis) {
   return figure;
 }
 
-// Cells of frequencies that the logs excite; mean and drift belong to none. Without a known band all count.
+// Returns the cells at frequencies that the logs excite, without mean and drift. If the band is not known, all cells
+// count.
 std::vector<gap::GapCell> mappedCells(const Diagnosis& diagnosis) {
   const std::array<double, 2> band = excitedBand(diagnosis);
   return element::those(diagnosis.where.before, [&](const gap::GapCell& cell) {
@@ -160,7 +162,7 @@ io::Figure gapMapFigure(const Diagnosis& diagnosis) {
   return shareMap(cells, sortedApart(frequencies), sortedApart(amplitudes));
 }
 
-// Mean residual in bins of displacement, separately for loading and unloading.
+// Returns the mean residual over displacement, for loading or for unloading.
 io::Curve meanOver(const log::Record& record, const Eigen::VectorXd& residual, double direction,
                    const std::string& label, const std::string& style, int colour) {
   constexpr int kBins = 48;
@@ -203,10 +205,11 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   return figure;
 }
 
-// Gap of each stretch, one log after the other. A stretch is a cycle, or longer to limit their number.
+// Returns the gap of successive stretches of all logs. A stretch is a cycle, or longer to limit the number of
+// stretches.
 io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorXd>& simulated,
                         const std::string& label, const std::string& style, int colour) {
-  constexpr Eigen::Index kMostStretches = 60;  // of a log
+  constexpr Eigen::Index kMostStretches = 60;  // in a log
   io::Curve curve{label, {}, {}, style, colour};
   double start = 0.0;
   for (std::size_t r = 0; r < diagnosis.workings->simulated.records.size(); ++r) {
@@ -219,7 +222,7 @@ io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::Vec
       curve.y.push_back(std::max(1e-5, gap));
     }
     start += record.duration();
-    curve.x.push_back(start);  // no line from one log to the next
+    curve.x.push_back(start);  // interrupts the line between two logs
     curve.y.push_back(std::numeric_limits<double>::quiet_NaN());
   }
   return curve;
@@ -258,7 +261,7 @@ io::Axes missingAxes(const MissingForce& map, const std::vector<double>& force, 
   return axes;
 }
 
-// Missing force, and that of the surrogate.
+// Returns maps of the missing force and of the force of the surrogate.
 io::Figure missingForceFigure(const MissingForce& map) {
   io::Figure figure;
   figure.title = "Force that the model lacks, over displacement and velocity";
@@ -267,7 +270,7 @@ io::Figure missingForceFigure(const MissingForce& map) {
   return figure;
 }
 
-// Figures with the units of a displacement.
+// Returns figures in the units of a displacement.
 std::vector<ReportFigure> figuresOf(const Diagnosis& diagnosis) {
   if (diagnosis.bench_evidence) {
     return {{kBench, "Force over displacement: measured, and simulated as configured.", benchFigure(diagnosis)}};
@@ -292,7 +295,7 @@ std::vector<ReportFigure> figuresOf(const Diagnosis& diagnosis) {
   return figures;
 }
 
-// A curve is interrupted where it has no value.
+// Returns a curve with the positions at which it is interrupted because a value is missing.
 ordered_json curveJson(const io::Curve& curve) {
   std::vector<double> breaks;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {

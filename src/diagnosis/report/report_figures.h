@@ -1,4 +1,4 @@
-// The figures of the report.
+// Computes the figures of the report.
 #pragma once
 
 #include <array>
@@ -20,41 +20,42 @@ inline constexpr const char* kBench = "bench";
 inline constexpr const char* kStiffness = "stiffness";
 inline constexpr const char* kLossAngle = "loss_angle";
 
-/// A figure of the report; its numbers stand in figure_NAME.csv.
+/// A figure of the report. Its numbers are in the file figure_NAME.csv.
 struct ReportFigure {
   std::string name;
   std::string caption;
-  io::Figure figure;  ///< its title is short; without axes there is nothing to show
+  io::Figure figure;  ///< has a short title; a figure without axes shows nothing
 };
 
-/// Returns loops, map of the gap, residual over displacement and gap over time, held-out logs first, then the others by
-/// decreasing gap; with a surrogate, also the missing force. For the verdict check_bench, returns the loops of the logs
-/// as recorded and with the proposed correction. Returns none if there is nothing to show.
+/// Returns loops, the map of the gap, the residual over displacement and the gap over time. Held-out logs come first,
+/// then the others in descending order of their gap. With a surrogate, a map of the missing force is added. For the
+/// verdict check_bench, returns the loops of the logs as recorded and with the proposed correction. The list may be
+/// empty.
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis);
 
-/// Returns the figures of a report on a table: stiffness, place of the gap, and loss angle, in this order.
+/// Returns the figures of a report on a table: stiffness, where the gap lies, and loss angle.
 std::vector<ReportFigure> tableFigures(const Diagnosis& diagnosis);
 
-/// Returns the share of the squared gap in the cells between these edges [Hz, m]; each of `cells` counts where the
-/// middle of its band lies. The figure has no axes if there is no cell.
+/// Returns a map of the squared gap with these edges of its cells [Hz, m]. A cell of `cells` is added to the cell of
+/// the map that contains the middle of its bands. The figure has no axes if an axis has fewer than two edges.
 io::Figure shareMap(const std::vector<gap::GapCell>& cells, const std::vector<double>& frequencies,
                     const std::vector<double>& amplitudes);
 
-/// Returns the lowest and highest frequency that the logs excite [Hz]; 0 for both if they are not known.
+/// Returns the lowest and the highest frequency that the logs excite [Hz]. Both are 0 if they are not known.
 std::array<double, 2> excitedBand(const Diagnosis& diagnosis);
 
-/// Returns the values in ascending order, equal ones once.
+/// Returns the values in ascending order without duplicates.
 std::vector<double> sortedApart(std::vector<double> values);
 
-/// Returns the diagnosis on one page, as `diagnose --plot` draws it: the figures of the report, each for one log, which
-/// is the first hold-out or, without hold-outs, that of the largest gap.
+/// Returns the diagnosis on one page, as `diagnose --plot` draws it. Each figure shows one log: the first hold-out, or
+/// the log with the largest gap if there is no hold-out.
 io::Figure overviewFigure(const Diagnosis& diagnosis);
 
-/// Returns the curves of a figure as CSV, one point a row: curve, panel, and two values with the labels of their axes.
-/// For a map: curve, panel, the edges of a cell and its value. Values that are not finite are omitted.
+/// Returns the curves of a figure as CSV with one point per row: curve, panel, and two values with the labels of their
+/// axes. A row of a map has curve, panel, the edges of a cell and its value. Values that are not finite are omitted.
 std::string figureCsv(const io::Figure& figure);
 
-/// Returns the description of a figure without its numbers, which are in its file.
+/// Returns a description of the figure. The numbers of the figure are in its file.
 nlohmann::ordered_json figureJson(const ReportFigure& figure);
 
 /// Returns the name of the file with the numbers of a figure.

@@ -1,4 +1,4 @@
-// The report for programs: report.json.
+// Writes the report for programs, report.json.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace rubber_suspension::diagnosis {
 namespace {
 
 using element::each;
-using nlohmann::ordered_json;  // writes null for numbers that are not finite
+using nlohmann::ordered_json;  // writes null for a number that is not finite
 
 ordered_json entryJson(const element::ElementDescription& element) {
   ordered_json entry = {{"type", element.type}};
@@ -31,7 +31,7 @@ ordered_json entryJson(const element::ElementDescription& element) {
   return entry;
 }
 
-// Percent of a probability, as the sentence has it.
+// Returns a probability in percent, formatted as in the sentence.
 std::string chanceText(double probability) { return words::chance(probability) + " %"; }
 
 ordered_json candidateJson(const Diagnosis& d, const CandidateResult& candidate) {
@@ -131,7 +131,7 @@ ordered_json rowJson(const DiagnosedRow& row) {
   return json;
 }
 
-// Every hypothesis that was fitted, with its held-out error.
+// Returns every hypothesis that was fitted, with its held-out error.
 ordered_json hypothesesJson(const hypotheses::Search& search) {
   ordered_json result = ordered_json::array();
   const auto add = [&](const hypotheses::FittedHypothesis& fitted) {
@@ -217,7 +217,7 @@ ordered_json changeJson(const ReportChange& change) {
   return {{"what", change.what}, {"before", change.before}, {"after", change.after}, {"differs", change.differs}};
 }
 
-// Instructions for the proposed log, and the command that plays it through the node.
+// Returns instructions for the proposed log, and the command with which the node plays it.
 ordered_json experimentJson(const Diagnosis& d) {
   const ProposedExperiment& experiment = d.next.proposed;
   const double duration = static_cast<double>(experiment.displacement.size() - 1) * experiment.dt;
@@ -251,7 +251,7 @@ std::string meaningOf(Verdict verdict) {
   return meanings.at(verdict);
 }
 
-// The numbers of the law, then those of the model that differ from the configured ones.
+// Returns the numbers of the law, then the values of the model that differ from the configured ones.
 ordered_json lawInWords(const Diagnosis& d) {
   ordered_json rows = each(d.law.effect_sizes, [&](const SizedValue& size) -> ordered_json {
     return {{"number", (d.answer.effects.size() > 1 ? words::spoken(size.owner) + ", " : "") + words::sizeName(size)},
@@ -267,7 +267,7 @@ ordered_json lawInWords(const Diagnosis& d) {
   return rows;
 }
 
-// Values of the component file that change.
+// Returns the values of the component file that change.
 ordered_json changedInWords(const Diagnosis& d) {
   const auto changed =
       element::those(d.law.model_sizes, [](const SizedValue& size) { return size.value != size.configured; });
@@ -290,7 +290,7 @@ ordered_json figuresJson(const Diagnosis& d) {
   return figures;
 }
 
-// Numbers and sentences as the terminal prints them, so that a page need not format any.
+// Returns numbers and sentences as the terminal prints them, so that the page need not format them.
 ordered_json inWords(const Diagnosis& d) {
   const Gap& gap = d.gaps.unseen;
   const Posterior& posterior = d.answer.posterior;

@@ -1,4 +1,4 @@
-// The parts of a report for programs.
+// Returns parts of the report for programs.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// Returns the effects that logs could have shown. Sizes are shares of the force's standard deviation; null if even an
-/// effect as large as the force would not be found.
+/// Returns the effects that logs could have shown. Sizes are divided by the standard deviation of the force. A size is
+/// null if even an effect as large as the force would not be found.
 nlohmann::ordered_json toJson(const CouldShow& could_show);
 
 /// Returns the findings about the rig, each with its meaning, remedy and certainty.
@@ -23,7 +23,7 @@ struct FindingAdvice {
   std::string remedy;
 };
 
-/// Returns the advice on a finding by its name in reports; empty texts if there is none.
+/// Returns the advice on a finding with this name in reports. The texts are empty if there is no advice.
 const FindingAdvice& adviceOn(const std::string& finding);
 
 }  // namespace rubber_suspension::diagnosis::report

@@ -1,4 +1,4 @@
-// The run that made a report.
+// Records the run that made a report.
 #include "diagnosis/report/run_record.h"
 
 #include <fmt/chrono.h>
@@ -24,7 +24,7 @@ std::time_t secondsSince1970() {
   if (fixed == nullptr || *fixed == '\0') {
     return std::time(nullptr);
   }
-  constexpr long long kLast = 253402300799;  // the year 9999
+  constexpr long long kLast = 253402300799;  // the end of the year 9999
   long long seconds = -1;
   const char* const end = fixed + std::strlen(fixed);
   const auto result = std::from_chars(fixed, end, seconds);

@@ -1,4 +1,4 @@
-// The files of a diagnosis of six directions.
+// Writes the files of a diagnosis of six directions.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -23,7 +23,7 @@ using element::each;
 using nlohmann::ordered_json;
 using words::percent;
 
-constexpr double kSaid = 0.1;  // share of a squared residual from which a pair is named
+constexpr double kSaid = 0.1;  // least share of a squared residual with which a pair is named
 constexpr const char* kSixDirectionsMeaning =
     "Share of a direction's squared residual force, with the augmented component, that the displacement of another "
     "direction predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
@@ -44,8 +44,8 @@ std::string shareText(const CrossShare& pair) {
   return std::isnan(pair.share) ? "-" : words::wholePercent(pair.share) + " %";
 }
 
-// For each direction, its share in the squared residual of this one, or "-" if it is unknown; empty for the direction
-// itself.
+// Returns for each direction its share in the squared residual of this direction. A share that is not known is "-", and
+// the text for the direction itself is empty.
 std::vector<std::string> shareTexts(const std::vector<CrossShare>& map, component::Direction of) {
   std::vector<std::string> texts(component::kDirections);
   for (const CrossShare& pair : map) {
@@ -75,14 +75,14 @@ ordered_json directionJson(const DirectionDiagnosis& found) {
             {"noise_floor", d.gaps.unseen.noise_floor}}}};
 }
 
-// NaN is written as null.
 ordered_json shareJson(const CrossShare& pair) {
   return {{"of", toString(pair.of)}, {"by", toString(pair.by)},
           {"share", pair.share},     {"share_text", shareText(pair)},
           {"rms", pair.force},       {"unit", component::isRotation(pair.of) ? "N m" : "N"}};
 }
 
-// The diagnosis of the direction that contains a place, and the place in it; nothing if there is no diagnosis.
+// Returns the diagnosis of the direction to which this name of a number belongs, and the name within that direction.
+// Returns nothing if there is no diagnosis.
 std::optional<std::pair<const Diagnosis*, std::string>> placeIn(const SixDirectionsDiagnosis& diagnosis,
                                                                 const std::string& place) {
   for (const auto& [direction, d] : diagnosis.directions) {

@@ -1,4 +1,5 @@
-// Figures of a report on a table: stiffness and loss angle, measured and simulated, and where the gap lies.
+// Computes the figures of a report on a table: stiffness and loss angle, measured and simulated, and where the gap
+// lies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,11 +17,11 @@ constexpr std::size_t kMostPanels = 6;
 
 using Rows = std::vector<DiagnosedRow>;
 
-// Rows of one panel, which differ only in the quantity on the axis.
+// Rows of the table in one panel. They differ only in the quantity on the axis.
 struct Panel {
   std::string title;
   Rows rows;
-  double squares = 0.0;  // of the gap as configured
+  double squares = 0.0;  // part of the squared gap as configured
 };
 
 double over(const fit::TablePoint& point, bool along_frequency) {
@@ -42,7 +43,7 @@ bool severalFrequencies(const Rows& rows) {
   });
 }
 
-// Panels by decreasing gap, each sorted along its axis.
+// Returns panels in descending order of their gap. The rows of each are sorted along the axis.
 std::vector<Panel> panelsOf(const Rows& rows, bool along_frequency) {
   std::map<std::string, Panel> by_title;
   for (const DiagnosedRow& row : rows) {
@@ -88,7 +89,7 @@ io::Figure panelFigure(const Diagnosis& diagnosis, const char* title, const char
   return figure;
 }
 
-// Edges of cells about these values, half-way on a log axis.
+// Returns edges of cells around these values, half-way between them on a logarithmic axis.
 std::vector<double> edgesAbout(std::vector<double> values) {
   values = sortedApart(std::move(values));
   if (values.size() < 2) {
@@ -102,7 +103,7 @@ std::vector<double> edgesAbout(std::vector<double> values) {
   return edges;
 }
 
-// Map over frequency and amplitude, for all preloads and temperatures together.
+// Returns a map over frequency and amplitude, in which all preloads and temperatures are added.
 io::Figure mapFigure(const Diagnosis& diagnosis) {
   const auto lower_end = [](auto band) { return [band](const gap::GapCell& cell) { return (cell.*band)[0]; }; };
   return shareMap(diagnosis.where.before,

@@ -1,4 +1,4 @@
-// Why a candidate effect is named or not.
+// States why a candidate effect is named or not.
 #include "diagnosis/words/candidates.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The model's own values before and after the fit.
+// Formats the values of the model before and after the fit.
 #include "diagnosis/words/model_values.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace rubber_suspension::diagnosis::words {
 namespace {
 
 bool isChanged(const SizedValue& size) {
-  constexpr double kWorthSaying = 0.02;  // logarithm of a ratio: less is within the accuracy of a bench
+  constexpr double kWorthSaying = 0.02;  // logarithm of a ratio; smaller changes are within the accuracy of a bench
   return size.configured > 0.0 && size.value > 0.0 && farOff(size) > kWorthSaying &&
          (size.configured < size.interval_95[0] || size.configured > size.interval_95[1]);
 }
@@ -25,7 +25,7 @@ std::string boundText(const SizedValue& size) {
   return isAtBound(size) ? ", which is a bound of the fit: these logs do not determine it" : "";
 }
 
-// If effects depend on the temperature, all values refer to their reference temperature.
+// If an effect depends on the temperature, all values are valid at its reference temperature.
 std::string referenceText(const Diagnosis& d) {
   const auto& added = d.law.augmented.add;
   const auto found = std::find_if(added.begin(), added.end(), [](const element::ElementDescription& entry) {

@@ -1,4 +1,4 @@
-// Sentences of the report.
+// Writes the sentences of the report.
 #include "diagnosis/words/sentence.h"
 
 #include <fmt/format.h>
@@ -19,10 +19,10 @@ namespace {
 
 std::string setText(const std::vector<std::string>& set) { return fmt::format("{}", fmt::join(set, " + ")); }
 
-// "friction; friction + creep": sets that cannot be told apart.
+// Returns sets of effects that cannot be distinguished, such as "friction; friction + creep".
 std::string setsText(const std::vector<std::vector<std::string>>& sets) { return element::joined(sets, "; ", setText); }
 
-// Other answers that may be right; empty if there are none.
+// Returns a sentence on other answers that may be right, or an empty text if there are none.
 std::string otherwise(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (const Alternative& other : diagnosis.answer.alternatives) {
@@ -35,7 +35,7 @@ std::string otherwise(const Diagnosis& diagnosis) {
   return texts.empty() ? "" : " It may also be " + enumerated(texts) + ".";
 }
 
-// Texts of a change of the gap, with as many decimals as distinguish both values, up to three, and of the noise.
+// Texts of a change of the gap and of the noise, with as many decimals (up to three) as distinguish both values.
 struct ChangeTexts {
   ChangeTexts(double from, double to, double floor) {
     int decimals = 1;
@@ -52,10 +52,10 @@ struct ChangeTexts {
   std::string noise;
 };
 
-// "friction (maximum force 199 N, half of it at 0.12 mm)" and the like, each with its first numbers. A number without a
-// unit is included only if it is the first, because a width or an exponent means little to a reader.
+// Returns the named effects with their first numbers, such as "friction (maximum force 199 N, half of it at 0.12 mm)".
+// A number without a unit, such as a width or an exponent, is included only if there is no other number before it.
 std::string effectsText(const Diagnosis& diagnosis) {
-  constexpr std::size_t kMost = 4;  // a gap and a stiffness of each of two stops
+  constexpr std::size_t kMost = 4;  // two stops have four numbers: a gap and a stiffness each
   std::vector<std::string> texts;
   for (const std::string& effect : diagnosis.answer.effects) {
     const Effect& known = effectNamed(effect);
@@ -89,8 +89,8 @@ bool isWithheld(const Diagnosis& diagnosis, const std::string& effect) {
 
 bool writesAnEffect(const Diagnosis& diagnosis) { return !diagnosis.law.added_for.empty() || diagnosis.table; }
 
-// " Friction is not written: with it, the gap of the component file would be 3.10 % on log sweep, but it is 2.40 % as
-// configured."
+// Returns " Friction is not written: with it, the gap of the component file would be 3.10 % on log sweep, but it is
+// 2.40 % as configured."
 std::string withheldNote(const Diagnosis& diagnosis) {
   std::string note;
   for (const Withheld& one : diagnosis.law.withheld) {
@@ -103,7 +103,7 @@ std::string withheldNote(const Diagnosis& diagnosis) {
   return note;
 }
 
-// " A spectral line that the motion does not cause is removed: 50.0 Hz, ...", for the first log that has one.
+// Returns " A spectral line that the motion does not cause is removed: 50.0 Hz, ...", for the first log with a line.
 std::string linesNote(const Diagnosis& diagnosis) {
   std::string note;
   std::string log;
@@ -116,8 +116,8 @@ std::string linesNote(const Diagnosis& diagnosis) {
   return note;
 }
 
-// " Log b reads 10 % more than the others.", for each gain beyond the rig's tolerance. If all logs have one, the text
-// compares two groups of logs, because the logs do not show which of them is right.
+// Returns " Log b reads 10 % more than the others.", for each gain beyond the tolerance of the rig. If all logs have
+// such a gain, the text compares two groups of logs, because the logs do not show which group is right.
 std::string gainsNote(const Diagnosis& diagnosis) {
   std::vector<const measurement::RigFinding*> gains;
   for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
@@ -134,7 +134,7 @@ std::string gainsNote(const Diagnosis& diagnosis) {
     return note;
   }
   std::sort(gains.begin(), gains.end(), [](const auto* a, const auto* b) { return a->value < b->value; });
-  std::size_t split = 1;  // where neighbours differ most
+  std::size_t split = 1;  // split where neighbouring gains differ most
   for (std::size_t i = 1; i < gains.size(); ++i) {
     const auto step = [&](std::size_t at) { return gains[at]->value - gains[at - 1]->value; };
     split = step(i) > step(split) ? i : split;
@@ -152,9 +152,9 @@ std::string gainsNote(const Diagnosis& diagnosis) {
                      names(begin, middle), gains.size() == 2 ? "is" : "are");
 }
 
-// " All displacements are negative: ...", if the motion of the logs stays on one side of zero.
+// Returns " All displacements are negative: ..." if the motion of the logs stays on one side of zero.
 std::string oneSideNote(const Diagnosis& diagnosis) {
-  constexpr double kSensorOffset = 0.05;  // of the largest displacement: less is an offset of the sensor
+  constexpr double kSensorOffset = 0.05;  // share of the largest displacement; a smaller one is an offset of the sensor
   double above = 0.0;
   double below = 0.0;
   if (diagnosis.workings) {
@@ -170,14 +170,14 @@ std::string oneSideNote(const Diagnosis& diagnosis) {
                      below > above ? "negative" : "positive", below > above ? "positive" : "negative");
 }
 
-// ", 3.1 % on further logs", if fits without single logs gave a value.
+// Returns ", 3.1 % on further logs" if there is a prediction for further logs.
 std::string furtherText(const Diagnosis& diagnosis) {
   const double gap = diagnosis.gaps.further_log;
   return std::isfinite(gap) ? ", " + percent(gap) + " on further logs" : "";
 }
 
-// Effects that the model may lack if no named one has half of the probability, likeliest first, with the probabilities
-// of the report; otherwise empty.
+// Returns possible answers with their probabilities, the most probable first. Returns an empty list if a named effect
+// has a probability of one half or more.
 std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most) {
   constexpr double kMajority = 0.5;
   constexpr double kWorthSaying = 0.05;
@@ -207,12 +207,12 @@ std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most)
   return texts;
 }
 
-// Share of the gap as configured that values remove, the first in the list.
+// Returns the share of the gap as configured that the values remove. It is the first in the list.
 double shareOfValues(const Diagnosis& diagnosis) {
   return diagnosis.shares.empty() ? 0.0 : diagnosis.shares.front().share;
 }
 
-// "of the gap as configured, friction removes 84 % and other parameter values remove 6 %".
+// Returns "of the gap as configured, friction removes 84 % and other values remove 6 %".
 std::string sharesText(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (auto part = diagnosis.shares.rbegin(); part != diagnosis.shares.rend(); ++part) {
@@ -228,8 +228,8 @@ std::string sharesText(const Diagnosis& diagnosis) {
                        : "of the gap as configured, " + enumerated(texts);
 }
 
-// Begins with the model's own values if these remove more of the gap than all effects, otherwise with the effects. Both
-// are followed by their shares.
+// Returns a text that begins with the values of the model if they remove more of the gap than all effects, and with the
+// effects otherwise. The text ends with all shares.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
   const SizedValue* const value = headlineValue(diagnosis);
   double by_effects = 0.0;
@@ -241,7 +241,8 @@ std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects
          sharesText(diagnosis);
 }
 
-// " Deviations in tolerances of the data sheet: K_st -1.2, K_n +2.3.", from half a tolerance on.
+// Returns " Deviations in tolerances of the data sheet: K_st -1.2, K_n +2.3.", omitting deviations below half a
+// tolerance.
 std::string deviationsText(const Diagnosis& diagnosis) {
   constexpr double kWorthSaying = 0.5;
   std::vector<std::string> texts;
@@ -255,7 +256,7 @@ std::string deviationsText(const Diagnosis& diagnosis) {
              : fmt::format(" Deviations in tolerances of the data sheet: {}.", fmt::join(texts, ", "));
 }
 
-// Parameters at a bound of the fit, and identified values of a guess.
+// Returns the identified values if the model is a guess, and the parameters at a bound of the fit.
 std::string identifiedText(const Diagnosis& diagnosis) {
   std::string text;
   if (diagnosis.parameters.guess) {
@@ -273,7 +274,7 @@ std::string identifiedText(const Diagnosis& diagnosis) {
   return text;
 }
 
-// Remark on the effect that is named first.
+// Returns the remark on the effect that is named first.
 std::string remarkText(const Diagnosis& diagnosis) {
   const std::string& first = diagnosis.answer.effects.front();
   const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
@@ -282,7 +283,7 @@ std::string remarkText(const Diagnosis& diagnosis) {
   return remark == nullptr || found == diagnosis.candidates.end() ? "" : remark(found->parameters);
 }
 
-// Remark on single effects that may be another reading of wrong values.
+// Returns remarks on single effects that could explain the logs instead of wrong values.
 std::string besideValuesText(const Diagnosis& diagnosis) {
   std::string text;
   for (const Alternative& other : diagnosis.answer.alternatives) {
@@ -291,7 +292,7 @@ std::string besideValuesText(const Diagnosis& diagnosis) {
   return text;
 }
 
-// " of the unseen logs" if the gaps are those of held-out logs.
+// Returns " of the unseen logs" if the gaps were computed on held-out logs.
 std::string ofUnseenLogs(const Diagnosis& diagnosis) {
   const bool any = std::any_of(diagnosis.logs.admission.begin(), diagnosis.logs.admission.end(),
                                [](const Admission& log) { return log.hold_out; });
@@ -456,7 +457,7 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
 }
 
 std::string restNote(const Surrogate& surrogate) {
-  constexpr double kLeastPart = 0.01;  // of the squared residual: less is not reported
+  constexpr double kLeastPart = 0.01;  // share of the squared residual; a smaller share is not reported
   const std::string prediction = fmt::format(
       "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to "
       "(gap {:.1f} % without, {:.1f} % with the surrogate)",

@@ -15,7 +15,7 @@
 namespace rubber_suspension::diagnosis::words {
 namespace {
 
-// A unit for display, worth `factor` of the SI unit, for values from `least` on.
+// A unit for display. It equals `factor` SI units and is used for values from `least` on.
 struct Display {
   double least;
   double factor;
@@ -72,7 +72,7 @@ std::string inRotationUnits(const std::string& text) {
     for (const auto& [unit, angular] :
          {std::pair("(k?)N/(m?)m", "$2N m/$3rad"), std::pair("(k?)N s/m", "$2N m s/rad"), std::pair("(k?)N", "$2N m"),
           std::pair("(m|µ|)m/s", "$2rad/s"), std::pair("(m|µ|)m", "$2rad")}) {
-      // A unit after a number or in brackets, unless the text continues as another unit.
+      // Matches a unit behind a number or in brackets, unless the text continues as another unit.
       list.emplace_back(std::regex(std::string("([0-9] |\\[)") + unit + "(?![A-Za-z/]| m| s)"),
                         std::string("$1") + angular);
     }
@@ -135,7 +135,7 @@ std::string intervalText(const SizedValue& size) {
   const Display& display = displayOf(size.unit, std::abs(size.value));
   const auto [least, most] = size.interval_95;
   const auto text = [&](double value, int digits) { return fmt::format("{:.{}g}", value / display.factor, digits); };
-  int digits = 3;  // at least, and enough to distinguish the ends
+  int digits = 3;  // three digits, or as many as distinguish the limits
   while (digits < 6 && least < most && text(least, digits) == text(most, digits)) {
     ++digits;
   }
@@ -172,7 +172,7 @@ std::string symbolOf(const std::string& name) {
 }
 
 std::vector<std::string> describeTakenOut(const std::vector<TakenOut>& taken_out) {
-  constexpr double kTold = 0.01;  // of the force: less is not reported
+  constexpr double kTold = 0.01;  // share of the force; less is not reported
   std::vector<std::string> phrases;
   std::string log;
   for (const TakenOut& one : taken_out) {
