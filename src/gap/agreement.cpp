@@ -1,4 +1,4 @@
-// Agreement of forces: figures, limits, table and JSON.
+// Computes the agreement of two forces and writes it as a table and as JSON.
 #include "gap/agreement.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// The two forces as the two channels of a log.
+// Returns a log whose two channels are the measured and the simulated force.
 log::Log bothForces(const log::Log& log, const std::vector<double>& simulated, std::size_t first) {
   const auto from = static_cast<std::ptrdiff_t>(first);
   log::Log both;
@@ -46,7 +46,7 @@ Iso18571 ratingOf(const log::Log& both) {
                       Eigen::Map<const Eigen::VectorXd>(simulated.data(), size));
 }
 
-// Work over whole cycles of the motion.
+// Adds the work per cycle, over whole cycles of the motion.
 void addEnergies(const log::Log& log, const log::Log& both, std::size_t first, Agreement& agreement) {
   log::Log motion;
   motion.displacement.assign(log.displacement.begin() + static_cast<std::ptrdiff_t>(first), log.displacement.end());
@@ -67,7 +67,7 @@ void addEnergies(const log::Log& log, const log::Log& both, std::size_t first, A
   agreement.simulated_energy = energy(both.force);
 }
 
-// A figure of the table, its limit and whether the limit is kept.
+// One line of the table: a number, its limit, and whether the number is within the limit.
 struct Row {
   std::string name;
   std::string value;

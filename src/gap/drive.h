@@ -1,4 +1,4 @@
-// Displacements that drive components over prepared records.
+// Defines displacements that drive components over prepared records.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::gap {
 
-/// Returns a drive by other displacements of these records, one of each [m]; refers to both arguments.
+/// Returns a drive with other displacements, one per record [m]. The drive keeps references to both arguments.
 inline Drive drivenBy(const std::vector<Eigen::VectorXd>& displacements, const std::vector<PreparedRecord>& records) {
   return
       [&](const PreparedRecord& record) { return displacements[static_cast<std::size_t>(&record - records.data())]; };

@@ -1,4 +1,4 @@
-// The gap and its noise floor.
+// Computes the gap and its noise floor.
 #include "rubber_suspension/gap/gap.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,8 @@
 namespace rubber_suspension::gap {
 namespace {
 
-// Products of a residual, unknowns of the log and errors of the rig over a part of a record.
+// Returns the products of the residual, the own parameters of the log and the errors of the rig over a part of a
+// record.
 Eigen::MatrixXd productsOver(const PreparedRecord& record, const Eigen::VectorXd& residual, const OwnUnknowns& own,
                              Eigen::Index first, Eigen::Index count) {
   const Eigen::Index rig = record.rig.columns.cols();

@@ -1,4 +1,4 @@
-// ISO/TS 18571: corridor, phase, magnitude and slope of two signals.
+// Rates corridor, phase, magnitude and slope of two signals according to ISO/TS 18571.
 #include "rubber_suspension/gap/iso18571.h"
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace {
 using Eigen::Index;
 using Signal = Eigen::Ref<const Eigen::VectorXd>;
 
-constexpr double kLargestShift = 0.2;  // of the length
-constexpr double kWindow = 0.1;        // of the length, to both sides of the diagonal
-constexpr Index kBlock = 2000;         // samples
+constexpr double kLargestShift = 0.2;  // share of the length
+constexpr double kWindow = 0.1;        // share of the length on each side of the diagonal
+constexpr Index kBlock = 2000;         // largest number of samples in a block
 constexpr double kUndefined = -std::numeric_limits<double>::infinity();
 
 double corridorRating(const Signal& measured, const Signal& simulated) {
@@ -35,7 +35,7 @@ double corridorRating(const Signal& measured, const Signal& simulated) {
   return (simulated - measured).unaryExpr(rating).mean();
 }
 
-// Sums of a signal and of its squares over the samples [first, first + count), from sums up to each sample.
+// Computes sums of a signal and of its squares over samples [first, first + count) as differences of cumulative sums.
 class RunningSums {
  public:
   explicit RunningSums(const Eigen::VectorXd& signal) : sum_(signal.size() + 1), squares_(signal.size() + 1) {
@@ -49,7 +49,7 @@ class RunningSums {
   double mean(Index first, Index count) const {
     return (sum_[first + count] - sum_[first]) / static_cast<double>(count);
   }
-  // Sum of squares about the mean.
+  // Returns the sum of the squared deviations from the mean.
   double squares(Index first, Index count) const {
     return squares_[first + count] - squares_[first] - static_cast<double>(count) * std::pow(mean(first, count), 2);
   }
@@ -60,7 +60,7 @@ class RunningSums {
   Eigen::VectorXd squares_;
 };
 
-// Correlation coefficients of the overlap, by the shift; `left`: the second signal is shifted to the left.
+// Correlation coefficients of the overlap, indexed by the shift. For `left`, the second signal is shifted to the left.
 struct Correlations {
   Eigen::VectorXd left;
   Eigen::VectorXd right;
@@ -71,7 +71,7 @@ std::vector<double> centred(const Signal& signal) {
   return {values.data(), values.data() + values.size()};
 }
 
-// Returns a power of two, for transforms without wrap-around.
+// Returns a power of two that is large enough for transforms without wrap-around.
 std::size_t paddedLength(Index size) {
   std::size_t padded = 2;
   while (padded < static_cast<std::size_t>(size)) {
@@ -93,7 +93,7 @@ Correlations correlate(const Signal& first, const Signal& second, Index most) {
   const RunningSums of_a(Eigen::Map<const Eigen::VectorXd>(a.data(), size));
   const RunningSums of_b(Eigen::Map<const Eigen::VectorXd>(b.data(), size));
   const auto coefficient = [&](double sum, Index from_a, Index from_b, Index count) {
-    constexpr double kConstant = 1e-12;  // of all squares: rounding of the sums
+    constexpr double kConstant = 1e-12;  // share of the sum of all squares; smaller sums are due to rounding
     const double squares_a = of_a.squares(from_a, count);
     const double squares_b = of_b.squares(from_b, count);
     const double means = static_cast<double>(count) * of_a.mean(from_a, count) * of_b.mean(from_b, count);
@@ -110,8 +110,9 @@ Correlations correlate(const Signal& first, const Signal& second, Index most) {
   return result;
 }
 
-// The shift of the simulated signal (positive: to the left) with the largest correlation. If several are equal within
-// the rounding of transforms, the smallest, preferably to the left.
+// Returns the shift of the simulated signal with the largest correlation; a positive shift is to the left. If several
+// shifts are equal within the rounding of transforms, returns the smallest shift, and if two are equally small, the
+// left.
 Index bestShift(const Signal& measured, const Signal& simulated) {
   constexpr double kRounding = 1e-9;
   const auto most = static_cast<Index>(std::floor(kLargestShift * static_cast<double>(measured.size())));
@@ -134,8 +135,8 @@ struct Sums {
   }
 };
 
-// The cheapest path through the squared differences, by steps of one in either signal or in both, and its cost. Cells
-// of one antidiagonal, with equal sums of indices, are independent of each other.
+// Finds the cheapest path through the squared differences, by steps of one sample in either signal or in both. Cells of
+// one antidiagonal, whose indices have the same sum, do not depend on each other.
 class Warping {
  public:
   Warping(const Signal& measured, const Signal& simulated)
@@ -173,13 +174,13 @@ class Warping {
     return static_cast<std::size_t>(diagonal * (reach_ + 1) + i - firstOf(diagonal));
   }
 
-  // Diagonal by diagonal. The cost at sample i of the simulated signal is at i + 1, between cells that no path reaches.
+  // Fills one antidiagonal after the other. The cost at sample i is at i + 1, between two cells that no path can reach.
   void fill() {
     constexpr double kNever = std::numeric_limits<double>::infinity();
     const Eigen::VectorXd backwards = measured_.reverse();
     const Eigen::VectorXd none = Eigen::VectorXd::Constant(last_ + 3, kNever);
-    std::array<Eigen::VectorXd, 3> costs = {none, none, none};  // two diagonals before, one before, and this one
-    costs[0][0] = 0.0;  // from which the first cell is reached by a step in both
+    std::array<Eigen::VectorXd, 3> costs = {none, none, none};  // of the two previous antidiagonals and of this one
+    costs[0][0] = 0.0;  // the first cell is reached from here by a step in both signals
     for (Index diagonal = 0; diagonal <= 2 * last_; ++diagonal) {
       const Index first = firstOf(diagonal);
       const Index count = lastOf(diagonal) - first + 1;
@@ -192,7 +193,7 @@ class Warping {
     }
   }
 
-  // Pointers at the first cell of a diagonal: the signals, and the costs one and two diagonals before.
+  // Pointers to the first cell of a diagonal: into both signals, and into the costs of the two previous diagonals.
   struct Before {
     const double* simulated;
     const double* measured;
@@ -237,7 +238,7 @@ Sums warp(const Signal& measured, const Signal& simulated, std::size_t blocks) {
   return sums;
 }
 
-// Central differences, one-sided at the ends; means of 9 of them, of 7, 5, 3 and 1 at the ends.
+// Returns the means of 9 neighbouring central differences. Near the ends, 7, 5, 3 and 1 differences are averaged.
 Eigen::VectorXd slopes(const Signal& signal) {
   const Index size = signal.size();
   const Eigen::VectorXd difference = numerics::slopesOf(signal);
@@ -251,7 +252,7 @@ Eigen::VectorXd slopes(const Signal& signal) {
 
 double rating(double error, double worst) { return std::max(0.0, (worst - error) / worst); }
 
-// Largest autocorrelation of a signal at a lag of a quarter to a half of its length: 1 for a sine.
+// Returns the largest autocorrelation of a signal at lags from a quarter to a half of its length. It is 1 for a sine.
 double resemblance(const Signal& signal) {
   const Index size = signal.size();
   const std::vector<double> values = centred(signal);
@@ -271,9 +272,9 @@ double resemblance(const Signal& signal) {
 
 // Returns true if a signal repeats itself as a whole or in most of its pieces, as a sequence of sines does.
 bool repeatsItself(const Signal& signal) {
-  constexpr double kSame = 0.9;  // a sine with noise of a third of its RMS
+  constexpr double kSame = 0.9;  // autocorrelation of a sine with noise of a third of the RMS of the sine
   constexpr Index kPieces = 8;
-  constexpr Index kFewest = 16;  // samples of a piece
+  constexpr Index kFewest = 16;  // least number of samples in a piece
   constexpr Index kLongest = 1 << 14;
   const auto part = [&](Index first, Index size) {
     return resemblance(signal.segment(first, std::min(size, kLongest)));
@@ -299,7 +300,7 @@ Iso18571 rateIso18571(const Eigen::VectorXd& measured, const Eigen::VectorXd& si
                     "ISO/TS 18571: the measured signal is constant or not finite");
   Iso18571 result;
   const bool finite = simulated.allFinite();
-  // All ratings are ratios. A power of two scales both signals below 1, so that no square overflows, without rounding.
+  // All ratings are ratios. Scaling both signals below 1 by a power of two avoids overflow and causes no rounding.
   const double largest =
       std::max(measured.lpNorm<Eigen::Infinity>(), finite ? simulated.lpNorm<Eigen::Infinity>() : 0.0);
   const double scale = std::exp2(std::clamp(-1 - std::ilogb(largest), -1022, 1022));

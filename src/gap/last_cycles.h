@@ -1,4 +1,4 @@
-// The last cycles of a log, which a figure can show as separate loops.
+// Finds the last cycles of a log, which a figure can show as separate loops.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace rubber_suspension::gap {
 
-/// Returns the samples at which the motion crosses its mean, in alternating directions and regardless of noise.
+/// Returns the samples at which the motion crosses its mean. A hysteresis suppresses crossings due to noise.
 std::vector<std::size_t> meanCrossings(const log::Log& log);
 
-/// Returns the mean frequency of the motion [Hz]: half the number of meanCrossings() over the duration; 0 if there are
-/// none.
+/// Returns the mean frequency of the motion [Hz]: half the number of meanCrossings() divided by the duration.
 double meanFrequency(const log::Log& log);
 
-/// Returns the first sample of the last `cycles` of that frequency; 0 if the log has no more, or the frequency is 0.
+/// Returns the first sample of the last `cycles` at this frequency. Returns 0 if the log is shorter or the frequency is
+/// 0.
 std::size_t firstOfLastCycles(const log::Log& log, double frequency, double cycles);
 
 }  // namespace rubber_suspension::gap

@@ -1,10 +1,10 @@
-// Steps of a component over logs.
+// Drives a component over logs.
 #include "gap/log_driver.h"
 
 namespace rubber_suspension::gap {
 namespace {
 
-// Extends a channel to this number of samples by its first value, for a motion before the record.
+// Extends a channel at its beginning to this number of samples by repeating its first value.
 Eigen::VectorXd heldBefore(const Eigen::VectorXd& channel, Eigen::Index samples) {
   Eigen::VectorXd held(samples);
   held << Eigen::VectorXd::Constant(samples - channel.size(), channel[0]), channel;

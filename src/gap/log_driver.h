@@ -1,5 +1,5 @@
-// Drives a component over records and logs at even steps, whole or piece by piece. Logs with stamps are simulated by
-// component::SampleStream, as in the node.
+// Drives a component over records and logs with even time steps, whole or piece by piece. Logs with uneven stamps are
+// simulated by component::SampleStream, as in the node.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,26 +12,27 @@
 
 namespace rubber_suspension::gap {
 
-/// The past of a component where a log begins: it is new, or it has relaxed since the log before.
+/// States whether a component is new where a log begins, or has relaxed since the previous log.
 enum class Before { nothing, another_log };
 
-/// Drives a component over one log after another. The component follows temperature and displacement across, if the log
-/// has them and the component depends on them.
+/// Drives a component over one log after another. The component follows the temperature and the displacement across if
+/// the log contains them and the component depends on them.
 class LogDriver {
  public:
-  /// Throws std::invalid_argument for elements that are no component.
+  /// Throws std::invalid_argument if no component can have these elements.
   explicit LogDriver(const std::vector<element::ElementDescription>& elements)
       : component_(elements), radial_(element::radialLaws(elements)), state_(component_.makeState()) {}
 
-  /// Begins a log with the next piece. The lead-in of an excerpt has to exist until that is driven.
+  /// Begins a new log with the next piece. `lead_in` has to exist until that piece has been driven.
   void begin(Before before, const log::LeadIn* lead_in = nullptr);
 
-  /// Computes the force at each sample of a piece of the log [N], with this sampling interval [s]. A time gap before
-  /// the piece is one step, as in `replay` and the node.
+  /// Computes the force at each sample of a piece of the log [N]. `dt` is the sampling interval [s]. A time gap before
+  /// the piece is simulated as one step, as in `replay` and the node.
   void drive(const log::EvenBlocks::Piece& piece, double dt, double* force);
 
-  /// Returns the force over a whole record [N], driven by this displacement [m]. A displacement longer than the record
-  /// begins before it, with the first value of temperature and of displacement across.
+  /// Returns the force over a whole record [N] that this displacement [m] causes. If the displacement is longer than
+  /// the record, it begins earlier; temperature and displacement across then keep their first value until the record
+  /// begins.
   Eigen::VectorXd over(const log::Record& record, const Eigen::VectorXd& displacement, Before before);
 
  private:
@@ -47,7 +48,7 @@ class LogDriver {
   Before before_ = Before::nothing;
   const log::LeadIn* lead_in_ = nullptr;
   bool begins_ = true;
-  std::vector<double> led_in_;  // forces of the lead-in, of no further use
+  std::vector<double> led_in_;  // forces of the lead-in, which are not used
 };
 
 }  // namespace rubber_suspension::gap

@@ -1,4 +1,4 @@
-// Scales of a log against those of the component: a wrong unit is a factor of a thousand.
+// Compares the scales of a log with those of the component, because a wrong unit changes a scale by a factor of 1000.
 #include "gap/odd_motion.h"
 
 #include <fmt/format.h>
@@ -9,11 +9,12 @@
 namespace rubber_suspension::gap {
 namespace {
 
-// Millimetres instead of metres are a factor of 1000. The limit is half of that in powers of ten, times three: it
-// reports a log in millimetres at a tenth of the component's amplitude, but not a log at thirty times the amplitude.
+// Millimetres instead of metres are a factor of 1000. This limit, about 3 sqrt(1000), detects a log in millimetres
+// whose amplitude is more than a tenth of that of the component. It accepts a log in metres with thirty times this
+// amplitude.
 constexpr double kOddFactor = 100.0;
 
-// Longer than any travel of a rubber spring [m]; for components that state no length at all.
+// Longer than any travel of a rubber spring [m]. Used for components that state no length at all.
 constexpr double kLongestAmplitude = 0.5;
 
 double rangeOf(const std::vector<double>& values) {
@@ -38,7 +39,7 @@ double longestLength(const std::vector<element::ElementDescription>& elements) {
   return longest;
 }
 
-// Checks the log's stiffness, which depends on the units of both columns; returns nullopt if a range is 0.
+// Checks the stiffness of the log, which depends on the units of both columns. Returns nullopt if a range is 0.
 std::optional<std::string> oddStiffness(double stroke, double measured, double simulated) {
   if (!(stroke > 0.0) || !(measured > 0.0) || !(simulated > 0.0)) {
     return std::nullopt;

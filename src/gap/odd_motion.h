@@ -9,24 +9,26 @@
 
 namespace rubber_suspension::gap {
 
-/// The amplitude for which a component is made [m]: its nominal one, else the longest length among its parameters.
+/// The amplitude for which a component is made [m]: the nominal one or, if there is none, the longest length among the
+/// parameters. It is nullopt if there is no length either.
 using MotionScale = std::optional<double>;
 
 MotionScale motionScaleOf(const io::ComponentDescription& description);
 
-/// Describes an odd amplitude [m] for a component, as "5 m is 2500 times ..."; nullopt if it is not odd.
+/// Describes an odd amplitude [m] for a component as "5 m is 2500 times ...". Returns nullopt if it is not odd.
 std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale);
 
-/// Describes an odd log for a component: with a measured force, by its stiffness against that of `force`, the
-/// component's for the same displacements [N]; otherwise by its amplitude. Returns nullopt if it is not odd.
+/// Describes a log that is odd for a component. If the measured force varies, compares the stiffness of the log with
+/// that of the component, whose force for the same displacements is `force` [N]. Otherwise checks the amplitude.
+/// Returns nullopt if the log is not odd.
 std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale);
 
-/// Describes a log that is odd for a component, as above, but without a simulation: by the static force at the largest
-/// and the smallest displacement of the log.
+/// Does the same without a simulation. Uses the static force of the component at the largest and the smallest
+/// displacement of the log.
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
 
-/// Describes the part of a log beyond the displacements for which a component is valid; nullopt if there is none, or
-/// the component states no range.
+/// Describes the part of a log beyond the displacements for which a component is valid. Returns nullopt if there is no
+/// such part, or if the component states no range.
 std::optional<std::string> beyondValid(const log::Log& log, const io::ComponentDescription& description);
 
 }  // namespace rubber_suspension::gap

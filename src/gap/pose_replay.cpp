@@ -1,4 +1,4 @@
-// Poses of a log through a component of six directions.
+// Simulates a component of six directions on the poses of a log.
 #include "rubber_suspension/gap/pose_replay.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ Eigen::Vector3d vectorAt(const std::array<std::vector<double>, 6>& list, std::si
   return {list[first][sample], list[first + 1][sample], list[first + 2][sample]};
 }
 
-// Angles beyond the range of the measure would be converted to other angles.
+// Returns true if the angles are within the range of the measure. Others would be converted to different angles.
 bool holdsAt(const log::PoseLog& log, component::RotationMeasure measure, std::size_t sample) {
   return component::measureHolds(measure, vectorAt(log.coordinate, component::kRx, sample));
 }

@@ -1,4 +1,4 @@
-// The force of a record without errors of its rig.
+// Removes the errors of the rig from the force of a record.
 #include "rubber_suspension/gap/prepared_record.h"
 
 namespace rubber_suspension::gap {

@@ -1,4 +1,4 @@
-// Simulates a component on a recorded log, offline, and shows the result.
+// Simulates a component on a recorded log and draws the result.
 #include "rubber_suspension/gap/replay.h"
 
 #include <fmt/format.h>
@@ -16,12 +16,11 @@
 namespace rubber_suspension::gap {
 namespace {
 
-constexpr std::size_t kMostPoints = 4000;  // of a curve; more cannot be distinguished
-constexpr double kCycles = 5.0;            // in a figure: more would merge into one area
+constexpr std::size_t kMostPoints = 4000;  // largest number of points of a curve; more cannot be distinguished
+constexpr double kCycles = 5.0;            // number of cycles in a figure; more would merge into one area
 constexpr double kBroad = 2.8;             // line width of the lower of two curves [pt]
 constexpr double kThin = 1.0;
 
-// Samples from `first` up to `last`.
 struct Stretch {
   std::size_t first;
   std::size_t last;
@@ -45,7 +44,7 @@ std::vector<double> secondsOf(const log::Log& log) {
   return seconds;
 }
 
-// The measured curve is broad and below, the simulated one thin and above, so that both are visible.
+// Draws the simulated curve thin and above the broad measured curve, so that both are visible.
 io::Axes forceAxes(const std::string& x_label, const std::vector<double>& x, const log::Log& log,
                    const std::vector<double>& force, const Stretch& stretch, const ForceLabels& labels) {
   io::Axes axes{"", x_label, labels.quantity};
@@ -66,8 +65,8 @@ io::Axes residualAxes(const std::vector<double>& seconds, const log::Log& log, c
   return axes;
 }
 
-// The envelope of the whole log: largest and smallest value in each of some stretches, of measured minus simulated
-// force, or of the force if none was measured.
+// Returns the envelope of the whole log: the smallest and the largest value in each of some stretches. The value is the
+// measured minus the simulated force, or the simulated force if no force was measured.
 io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, const std::vector<double>& force,
                       const ForceLabels& labels) {
   constexpr std::size_t kStretches = 300;
@@ -100,7 +99,7 @@ io::Axes envelopeAxes(const std::vector<double>& seconds, const log::Log& log, c
                                   sample + 1, log.displacement[sample]));
 }
 
-// Mean of measured minus simulated force over the samples that count [N].
+// Returns the mean of the measured minus the simulated force over the samples that count [N].
 double meanDifference(const log::Log& log, const std::vector<double>& force) {
   double sum = 0.0;
   double count = 0.0;
@@ -135,7 +134,7 @@ std::vector<double> simulateLog(const component::Component& component, const log
   io::Progress progress("simulating " + log.name, log.size());
   std::vector<double> force;
   force.reserve(log.size());
-  constexpr std::size_t kPortion = 4096;  // samples that are checked and simulated while they are in the cache
+  constexpr std::size_t kPortion = 4096;  // number of samples that fit into the cache
   for (std::size_t first = 0; first < log.size(); first += kPortion) {
     const std::size_t size = std::min(kPortion, log.size() - first);
     log::checkSamples(log, first, size);
@@ -143,8 +142,8 @@ std::vector<double> simulateLog(const component::Component& component, const log
     const double* const temperature = log.temperature.empty() ? nullptr : log.temperature.data() + first;
     const std::size_t accepted = stream.pushAll(log.stamp.data() + first, log.displacement.data() + first, temperature,
                                                 size, force.data() + first);
-    // All samples are checked, so a sample is only refused if its force is too large for a double or its temperature is
-    // outside the range of the component's shift.
+    // All samples were checked before. A sample is refused here only if its force is too large for a double, or if its
+    // temperature is outside the range of the component's shift.
     if (accepted < size) {
       refuseSample(component, log, first + accepted);
     }
@@ -205,7 +204,7 @@ io::Figure replayFigure(const std::string& component, const log::Log& log, const
     displacement.curves.push_back({"", shown, millimetres, "-", 7});
     figure.axes.push_back(displacement);
   } else {
-    figure.axes.push_back(residualAxes(seconds, log, force, stretch, labels));  // below the force over time
+    figure.axes.push_back(residualAxes(seconds, log, force, stretch, labels));
   }
   return figure;
 }

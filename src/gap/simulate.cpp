@@ -1,4 +1,4 @@
-// Simulation of elements over records and logs.
+// Simulates elements over records.
 #include "gap/simulate.h"
 
 #include "gap/log_driver.h"

@@ -1,4 +1,4 @@
-// Force of elements over prepared records, for comparison with the measured force.
+// Simulates elements over prepared records, for comparison with the measured force.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,21 +11,22 @@
 
 namespace rubber_suspension::gap {
 
-/// Force of each record [N].
+/// One force per record [N].
 using Forces = std::vector<Eigen::VectorXd>;
 
-/// Displacement of a record that drives a component.
+/// Returns the displacement that drives a component over a record.
 using Drive = std::function<Eigen::VectorXd(const PreparedRecord&)>;
 
-/// Returns the force of one component over records in the order of their recording [N]. It relaxes between records,
-/// unless a lead-in continues the one before, and is driven by the records' displacement or that of `drive`.
+/// Returns the force of one component over records in the order of their recording [N]. The component relaxes between
+/// records, unless the lead-in of a record continues the previous record. It is driven by the displacement of the
+/// records, or by `drive` if that is given.
 Forces simulate(const std::vector<element::ElementDescription>& elements, const std::vector<PreparedRecord>& records,
                 const Drive& drive = {});
 
-/// Returns the displacement as recorded, which drives `replay` and the node.
+/// Returns the displacement as recorded, which `replay` and the node use.
 Eigen::VectorXd asRecorded(const log::Record& record);
 
-/// Simulates each record on a new component at rest; with the displacement as recorded, as `replay` and the node do.
+/// Simulates each record on a new component at rest, by default with the displacement as recorded.
 Forces simulateEach(const std::vector<element::ElementDescription>& elements,
                     const std::vector<PreparedRecord>& records, const Drive& drive = asRecorded);
 

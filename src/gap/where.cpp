@@ -1,4 +1,4 @@
-// The map of the gap.
+// Computes the map of the gap.
 #include "rubber_suspension/gap/where.h"
 
 #include <algorithm>
@@ -16,8 +16,8 @@ using Spectrum = std::vector<std::complex<double>>;
 
 struct Key {
   std::size_t log;
-  int frequency_band;  // octave: [2^b, 2^(b+1)) Hz; kWholeBand for mean and drift
-  int amplitude_band;  // half decade: [10^(b/2), 10^((b+1)/2)) m
+  int frequency_band;  // octave from 2^b to 2^(b+1) Hz; kWholeBand for mean and drift
+  int amplitude_band;  // half a decade, from 10^(b/2) to 10^((b+1)/2) m
   Quantity quantity;
 
   bool operator<(const Key& other) const {
@@ -27,17 +27,20 @@ struct Key {
 };
 
 struct Energy {
-  double squared = 0.0;  // of the residual, in units of the force's variance and of the logs' equal weights
-  double lines = 0.0;    // share of the log's spectral lines, for the noise that is expected in the cell
+  // Squared residual, divided by the variance of the force and averaged over the logs.
+  double squared = 0.0;
+  // Share of the spectral lines of the log, from which the noise in the cell is estimated.
+  double lines = 0.0;
 };
 
 constexpr int kWholeBand = 1 << 20;
-constexpr double kFewestPeriods = 2.0;  // of the slowest motion in a window
-constexpr double kFewestCycles = 8.0;   // of the mean frequency
+constexpr double kFewestPeriods = 2.0;  // number of periods of the slowest motion in a window
+constexpr double kFewestCycles = 8.0;   // number of cycles of the mean frequency in a window
 
 Spectrum transform(const Eigen::VectorXd& values) { return numerics::paddedSpectrum({values.begin(), values.end()}); }
 
-// Long enough for the slowest motion, and for some spectral lines in the octaves of the mean frequency [s].
+// Returns the least length of a window [s]. Such a window contains the slowest motion, and the octaves around the mean
+// frequency have several spectral lines.
 double shortestWindow(const log::Record& record) {
   const double slowest = kFewestPeriods / record.lowest_frequency;
   return record.mean_frequency > 0.0 ? std::max(slowest, kFewestCycles / record.mean_frequency) : slowest;
@@ -72,7 +75,7 @@ class Map {
     const auto part = record.displacement.segment(first, count);
     const double amplitude = std::max(1e-12, 0.5 * (part.maxCoeff() - part.minCoeff()));
     const int amplitude_band = static_cast<int>(std::floor(2.0 * std::log10(amplitude)));
-    // Parseval: sum of squares = (1/count) sum over lines of |R|^2.
+    // Parseval: the sum of squares is 1/count times the sum of |R|^2 over all spectral lines.
     const double scale = record.weight / (static_cast<double>(record.size()) * std::pow(record.force_deviation, 2) *
                                           static_cast<double>(records_.size()));
     const double window_mean = residual_[r].segment(first, count).mean();
@@ -106,7 +109,7 @@ class Map {
     double residual_power = 0.0;
     double lines = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
-      const double twice = i == residual.size() - 1 ? 1.0 : 2.0;  // the mirror line at negative frequency
+      const double twice = i == residual.size() - 1 ? 1.0 : 2.0;  // counts the line at the negative frequency
       cross += twice * residual[i] * std::conj(displacement[i]);
       displacement_power += twice * std::norm(displacement[i]);
       residual_power += twice * std::norm(residual[i]);

@@ -1,4 +1,4 @@
-// Definition of the gap between measured and simulated force, and of its part above the noise floor.
+// Defines the gap between measured and simulated force, and its part above the noise floor.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,54 +9,57 @@
 
 namespace rubber_suspension::gap {
 
-/// Returns the RMS of measured minus simulated force over the standard deviation of the measured force [-]. `counts` is
-/// 1 for each sample that counts, 0 where the force was not measured; empty: all count. Throws std::invalid_argument if
-/// the sizes differ, or the measured force is empty or constant.
+/// Returns the RMS of the measured minus the simulated force, divided by the standard deviation of the measured force
+/// [-]. `counts` is 1 for each sample that counts and 0 where the force was not measured; if it is empty, all samples
+/// count. Throws std::invalid_argument if the sizes differ, or if the measured force is empty or constant.
 double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated,
                    const std::vector<double>& counts = {});
 
-/// Returns the standard deviation of the values about their mean.
+/// Returns the standard deviation of the values.
 double standardDeviation(const Eigen::VectorXd& values);
 
-/// Returns the gap of a residual [N] relative to the standard deviation of the measured force [N].
+/// Returns the gap of a residual [N], given the standard deviation of the measured force [N].
 double gapOfResidual(const Eigen::VectorXd& residual, double standard_deviation);
 
-/// Returns the part of a gap beyond a noise floor, both [-]: sqrt(gap^2 - floor^2), and 0 for a gap below the floor.
+/// Returns the part of a gap above a noise floor, sqrt(gap^2 - floor^2), or 0 if the gap is below the floor. All are
+/// [-].
 double residualAboveFloor(double gap, double floor);
 
-/// Returns the share of the closable gap, which is that above the floor, that a better model closes: 1 closes all, a
-/// negative share opens the gap. From -1 to kMostClosed; 0 if there is nothing to close.
+/// Returns (before - after) / (before - floor), the share of the gap above the noise floor that a better model closes.
+/// The result is limited to -1 and kMostClosed; it is negative if the model increases the gap, and 0 if there is
+/// nothing to close.
 double closedFraction(double before, double after, double floor);
 
-/// Upper limit of closedFraction(): it exceeds 1 because the floor may be overestimated.
+/// Upper limit of closedFraction(). It is greater than 1 because the floor may be overestimated.
 constexpr double kMostClosed = 1.1;
 
-/// Mean squared residual of a part of a log in units of its force's variance, the part's weight, and the log's index.
+/// Mean squared residual of a part of a log divided by the variance of the force, weight of the part, index of the log.
 struct PartError {
   double error;
   double weight;
   int log = 0;
 };
 
-/// Returns the gap over all parts: the root of the weighted mean of their errors.
+/// Returns the gap over all parts, the square root of the weighted mean of their errors.
 double gapOfParts(const std::vector<PartError>& parts);
 
-/// Unknowns of a single log, by their columns over its samples, and the penalty on their squares.
+/// Columns of the fit parameters of a single log, one value per sample, and the penalty on the squares of the
+/// parameters.
 struct OwnUnknowns {
   Eigen::MatrixXd columns;
   Eigen::VectorXd penalty;
 };
 
-/// Returns the errors of tenths of each record, which counts by its weight (PreparedRecord::weight). Samples that do
-/// not count are excluded; errors of the rig and unknowns of the log are removed as far as the other tenths determine
-/// them. `own`: unknowns of each record; empty: there are none.
+/// Returns the errors of ten parts of each record, weighted by PreparedRecord::weight. Samples that do not count are
+/// excluded. Errors of the rig and the parameters of the log are estimated from the other nine parts and removed. `own`
+/// are the parameters of each record; if it is empty, there are none.
 std::vector<PartError> partErrors(const std::vector<PreparedRecord>& records,
                                   const std::vector<Eigen::VectorXd>& simulated,
                                   const std::vector<OwnUnknowns>& own = {});
 
-/// Returns the noise floor of a record from the residual of a model [N], as a gap: white noise above three times the
-/// band of the displacement, but no more than the measured force has there (the force of a mass with a noisy
-/// displacement has more).
+/// Returns the noise floor of a record as a gap. It is the white noise in the residual of a model [N] above three times
+/// the highest frequency of the displacement, or above 0.3 times the sampling rate if that is lower. The measured force
+/// limits it, because the force of a mass under a noisy displacement has more noise.
 double whiteNoiseFloor(const log::Record& record, const Eigen::VectorXd& residual);
 
 }  // namespace rubber_suspension::gap

@@ -1,4 +1,4 @@
-// A record for fits, with possible errors of its rig and its weight. Throws nothing.
+// Defines a record for fits, with possible errors of its rig and its weight.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,26 +9,27 @@
 
 namespace rubber_suspension::gap {
 
-/// Prior of the force that a rig may have added to one log; by default none.
+/// Prior distribution of the force that a rig may have added to one log. By default there is none.
 struct RigPrior {
-  /// Whitening columns N (numerics::whiteningColumns) of offset, lag, gain, slow noise and of the component's state
-  /// before the log, each within its prior; 0 where samples do not count; may be empty.
+  /// Whitening columns N (numerics::whiteningColumns) for offset, delay, gain, slow noise and the state of the
+  /// component before the log, according to their priors. They are 0 where samples do not count, and may be missing.
   Eigen::MatrixXd columns;
-  /// Error as which one standard deviation of any of them counts, over the force's standard deviation.
+  /// Error that one standard deviation of each of them amounts to in the fit, divided by the standard deviation of the
+  /// force.
   double one_deviation = 0.0;
-  /// Largest standard deviation [N] of noise slower than the motion, or of a drift, that counts as noise.
+  /// Largest standard deviation [N] of a drift, or of noise slower than the motion, that counts as noise.
   double slow_noise = std::numeric_limits<double>::infinity();
   /// Standard deviation of an offset of the displacement [m].
   double displacement_zero = 0.0;
 };
 
-/// Errors of the rig in a single log, of any size, which are fitted with every model.
+/// States which errors of the rig a single log has. They may have any size and are fitted with every model.
 struct OwnErrors {
-  bool gain = false;  ///< the gain of the force's channel
-  bool zero = false;  ///< the offset of the force
+  bool gain = false;  ///< gain of the force channel
+  bool zero = false;  ///< offset of the force
 };
 
-/// A record, the errors of its rig and its weight. By default the rig has no errors.
+/// A record with its weight and the errors of its rig. By default the rig has no errors.
 struct PreparedRecord : log::Record {
   PreparedRecord() = default;
   PreparedRecord(log::Record recorded, RigPrior prior = {}, double counts_as = 1.0)
@@ -36,10 +37,10 @@ struct PreparedRecord : log::Record {
 
   RigPrior rig;
   OwnErrors own;
-  double weight = 1.0;  ///< of its mean squares relative to those of other logs, about 1 on average
+  double weight = 1.0;  ///< weight of the mean squares of this record; the average over all logs is about 1
 
-  /// Returns a residual or a derivative of the force [N] without errors of the rig, r - N N'r, as far as their priors
-  /// let them explain r (Frisch and Waugh, Econometrica 1, 1933, with a prior). Samples that do not count are 0.
+  /// Returns a residual or a derivative of the force [N] after removing the errors of the rig as far as their priors
+  /// allow: r - N N'r (Frisch and Waugh, Econometrica 1, 1933, with a prior). Samples that do not count are 0.
   Eigen::VectorXd withoutRig(const Eigen::VectorXd& column) const;
 };
 

@@ -1,4 +1,4 @@
-// The squared gap by log, frequency, amplitude and quantity. Throws nothing.
+// Divides the squared gap among logs, frequencies, amplitudes and quantities.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,23 +15,23 @@ enum class Quantity { stiffness, loss, harmonics, mean, drift };
 
 std::string toString(Quantity quantity);
 
-/// One cell of the map of the gap.
 struct GapCell {
   std::string log;
   std::array<double, 2> frequency{};  ///< [Hz]
   std::array<double, 2> amplitude{};  ///< [m]
   Quantity quantity = Quantity::stiffness;
-  double share = 0.0;        ///< of the squared gap, all cells adding up to 1
-  double noise_ratio = 0.0;  ///< RMS in the cell over that of the noise floor in its windows and band
-  double squared = 0.0;      ///< its part of the squared gap, in variances of the force
+  double share = 0.0;        ///< share of the squared gap; the shares of all cells add up to 1
+  double noise_ratio = 0.0;  ///< RMS in the cell divided by that of the noise floor in the same windows and band
+  /// Part of the squared gap in the cell, divided by the variance of the force.
+  double squared = 0.0;
 };
 
-/// Splits the squared residual. Each log is cut into windows of at least two periods of its slowest motion and eight of
-/// its mean frequency; in each window and octave the part of the residual that is coherent with the displacement is an
-/// error of stiffness (in phase) or of loss (in quadrature), the incoherent part is an error of harmonics (including
-/// noise). The mean over the log is an error of the mean, the deviations of the windows' means from it are drift.
-/// `residual`: measured minus simulated [N], `noise`: floor of each log in units of its force's standard deviation.
-/// Sorted by share, largest first.
+/// Splits the squared residual [N] into cells, and returns them in descending order of their share. Each log is cut
+/// into windows of at least two periods of its slowest motion and eight periods of its mean frequency. In each window
+/// and octave, the part of the residual that is coherent with the displacement is an error of the stiffness (in phase)
+/// or of the loss (in quadrature). The incoherent part, which includes noise, is an error of the harmonics. The mean
+/// over the log is an error of the mean, and deviations of the windows from it are drift. `residual` is measured minus
+/// simulated, and `noise` the noise floor of each log divided by the standard deviation of its force.
 std::vector<GapCell> gapMap(const std::vector<PreparedRecord>& records, const std::vector<Eigen::VectorXd>& residual,
                             const std::vector<double>& noise);
 
