@@ -28,7 +28,7 @@ std::string csvCell(const ordered_json& value) {
   return plain ? text : "\"" + boost::replace_all_copy(text, "\"", "\"\"") + "\"";
 }
 
-// Drawn numbers of the specification precede the results.
+// The drawn numbers of the specification come before the results.
 ordered_json valuesOf(const Job& job, const Record* record) {
   ordered_json values = ordered_json::object();
   for (const auto& [name, value] : job.specification) {
@@ -45,7 +45,7 @@ ordered_json valuesOf(const Job& job, const Record* record) {
   return values;
 }
 
-// Leading columns of a job, before its values.
+// Returns the columns that precede the values of a job.
 ordered_json headOf(const Manifest& manifest, const Job& job, const Record* record) {
   const auto name_of = [&](std::size_t log) {
     return std::filesystem::path(manifest.inputs[log].path).stem().string();
@@ -60,7 +60,7 @@ ordered_json headOf(const Manifest& manifest, const Job& job, const Record* reco
           {"status", record == nullptr ? "missing" : (record->failed() ? "failed" : "done")}};
 }
 
-// Rows are text, because parsed values of 10^5 jobs would fill the memory.
+// Rows are stored as text, because parsed values of 10^5 jobs would not fit into memory.
 void writeCsv(const std::string& path, const std::vector<std::string>& rows, const ordered_json& columns) {
   log::NewFile file(path);
   std::string header = "id,group,type,test_piece,command,component,logs,status";

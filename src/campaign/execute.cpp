@@ -38,7 +38,7 @@ namespace fs = std::filesystem;
 using diagnosis::Verdict;
 using nlohmann::ordered_json;
 
-constexpr std::size_t kKeptSamples = 4000000;  // of all logs kept: about 100 MB with force and displacement
+constexpr std::size_t kKeptSamples = 4000000;  // total of all cached logs: about 100 MB with force and displacement
 
 // Returns sets of effects that the logs cannot distinguish as "friction | friction + creep".
 std::string setsText(const std::vector<std::vector<std::string>>& sets) {
@@ -50,7 +50,7 @@ std::vector<std::string> effectsOf(const diagnosis::Alternative& other) {
   return other.effects.empty() ? std::vector<std::string>{toString(other.verdict)} : other.effects;
 }
 
-// Returns the values for tables; numbers that are not finite are written as null.
+// Returns the values for the table of the campaign. Numbers that are not finite are written as null.
 ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   ordered_json values = {{"verdict", toString(d.answer.verdict)},
                          {"effects", log::join(d.answer.effects)},
@@ -71,9 +71,9 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   return values;
 }
 
-// Returns true if the re-estimated values are meaningful without an effect. A wrong sign, unit or column makes them
-// meaningless, and an unexplained residual biases them. With an added effect they depend on its form, so they count
-// only if other parameter values alone would also explain the logs.
+// Returns true if the re-estimated values are meaningful as if the model lacked no effect. A wrong sign, unit or column
+// makes them meaningless, and an unexplained residual biases them. With an added effect they depend on its form, so
+// that they count only if other parameter values alone would also explain the logs.
 bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
   const bool other_values_do =
       std::any_of(d.answer.alternatives.begin(), d.answer.alternatives.end(), [](const diagnosis::Alternative& other) {
@@ -134,8 +134,8 @@ std::map<std::string, io::FileHash> filesIn(const std::string& folder) {
   return files;
 }
 
-// Rethrows errors of the machine, not of the job: lack of memory as std::bad_alloc, lack of disk space or file
-// descriptors, which many readers and writers report only in their text.
+// Rethrows errors of the computer rather than of the job: lack of memory as std::bad_alloc, and lack of disk space or
+// file descriptors. Many readers and writers report these only in the text of the error.
 void rethrowOfTheMachine(const std::exception& error) {
   const auto tells = [text = std::string(error.what())](int code) {
     return text.find(std::strerror(code)) != std::string::npos;
@@ -149,7 +149,7 @@ void rethrowOfTheMachine(const std::exception& error) {
   }
 }
 
-// Caches the component file read last, and logs, because many jobs share them.
+// Caches logs and the component file that was read last, because many jobs share them.
 class Executor {
  public:
   Executor(std::string folder, const Manifest& manifest, LogReader read_log)
@@ -192,7 +192,7 @@ class Executor {
     diagnosis::DiagnosisOptions settings;
     settings.evidence = job.options.evidence;
     settings.excluded = job.options.exclude;
-    settings.threads = 1;  // the jobs themselves run side by side
+    settings.threads = 1;  // several jobs run at the same time instead
     const diagnosis::Diagnosis result =
         diagnosis::diagnose(description, logs(job, job.logs), logs(job, job.hold_out), settings);
     record.values = diagnosisValues(result);
@@ -282,14 +282,14 @@ class Executor {
     return kept_logs_.emplace(key, std::move(log)).first->second;
   }
 
-  // Creates the folder if it is missing; files of an earlier attempt have the same names and are replaced.
+  // Creates the folder if it is missing. Files of an earlier attempt have the same names and are replaced.
   std::string makeReportFolder(const Job& job) const {
     std::string folder = folder_ + "/" + reportFolder(job.id);
     io::makeFolder(folder);
     return folder;
   }
 
-  // Returns an input's path; throws std::runtime_error if it has changed.
+  // Returns the path of an input. Throws std::runtime_error if the file has changed.
   std::string unchangedPath(std::size_t input) const {
     const InputFile& file = manifest_.inputs[input];
     const io::FileHash hash = io::hashFile(file.path);
@@ -306,7 +306,7 @@ class Executor {
   std::map<std::string, log::Log> kept_logs_;
   std::size_t kept_samples_ = 0;
   std::optional<std::size_t> kept_config_;
-  std::vector<io::ComponentDescription> components_;  // of the file kept_config_
+  std::vector<io::ComponentDescription> components_;  // components of the file kept_config_
 };
 
 }  // namespace

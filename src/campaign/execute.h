@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::campaign {
 
-/// Returns a function that executes a job and writes its report and record, with any error of the job in the record.
-/// The function caches files; the manifest must outlive it. It throws if the machine lacks memory or disk space.
+/// Returns a function that executes a job and writes its report and record. Errors of the job are stored in the record.
+/// The function caches files, and the manifest must outlive it. It throws if the computer lacks memory or disk space.
 std::function<Record(const Job&)> executorOf(const std::string& folder, const Manifest& manifest,
                                              const LogReader& read_log);
 

@@ -1,4 +1,4 @@
-// Statistics of a fleet as JSON.
+// Computes the statistics of a fleet.
 #include "campaign/fleet.h"
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kTail = 0.025;           // probability beyond each end of a 95 % interval
-constexpr std::size_t kMostListed = 500;  // components per type; table.csv has all
+constexpr double kTail = 0.025;           // probability above a 95 % interval, and below it
+constexpr std::size_t kMostListed = 500;  // components per type; table.csv lists all components
 
-// Returns the share of each name with its interval, most frequent first.
+// Returns the share of each name with its interval. The most frequent name comes first.
 ordered_json sharesOf(const std::vector<std::string>& names, std::size_t components) {
-  constexpr double kJeffreys = 0.5;  // prior count of either answer
+  constexpr double kJeffreys = 0.5;  // prior count of each of the two answers
   std::map<std::string, std::size_t> counts;
   for (const std::string& name : names) {
     ++counts[name];
@@ -41,7 +41,8 @@ ordered_json sharesOf(const std::vector<std::string>& names, std::size_t compone
   return shares;
 }
 
-// Returns the rank, from 1, of the value at either end of the median's interval; 0 for too few values.
+// Returns the rank of the limits of the interval of the median, counted from 1 at either end; 0 if there are too few
+// values.
 std::size_t rankOfInterval(std::size_t count) {
   const boost::math::binomial below_median(static_cast<double>(count), 0.5);
   std::size_t rank = 0;
@@ -57,7 +58,8 @@ ordered_json withDistribution(ordered_json head, const ordered_json& distributio
 }
 
 bool isFarOut(double value, const ordered_json& distribution) {
-  constexpr double kFar = 4.0;  // distances of the quartiles; for normal values six standard deviations from the median
+  // Multiple of the interquartile range. For normal values, the limit is six standard deviations from the median.
+  constexpr double kFar = 4.0;
   const auto [lower, upper] = distribution["quartiles"].get<std::array<double, 2>>();
   return distribution["components"] >= kFewestComponents &&
          std::max(lower - value, value - upper) > kFar * (upper - lower) &&
@@ -128,7 +130,7 @@ ordered_json Fleet::describe(const std::string& type, const std::vector<Componen
           {"listed", listed}};
 }
 
-// Omits rigs that had only one type, because nothing can be compared.
+// Omits rigs that tested only one type of component, because nothing can be compared on them.
 ordered_json Fleet::describeRigs() const {
   std::map<std::array<std::string, 3>, std::vector<double>> values;
   std::map<std::string, std::set<std::string>> types_of;

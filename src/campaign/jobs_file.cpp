@@ -1,4 +1,4 @@
-// Reads the jobs file as a list of entries with their options, and draws specifications within their tolerances.
+// Reads the jobs file into a list of entries with their options, and draws specifications within their tolerances.
 #include "campaign/jobs_file.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: whole numbers up to it are exact
+constexpr double kLargestSeed = 9007199254740992.0;  // 2^53; smaller whole numbers are exact in a double
 
 using io::Entry;
 using io::Key;
@@ -55,13 +55,13 @@ class JobsReader : public io::YamlReader {
   }
 
  private:
-  // Loads the value of a key into a member.
+  // Returns a function that loads the value of a key into this member of a target.
   template <class Member>
   auto to(Member member) {
     return [this, member](const Entry& entry, auto& target) { this->load(entry, target.*member); };
   }
 
-  // Returns the keys of the options; `of` returns the options of a target.
+  // Returns the keys of all options. `of` returns the options of a target.
   template <class Target, class Of>
   std::vector<Key<Target>> optionKeys(Of of) {
     std::vector<Key<Target>> keys;
@@ -95,7 +95,7 @@ class JobsReader : public io::YamlReader {
 
   void load(const Entry& entry, int& starts) { starts = static_cast<int>(loadWhole(entry, 1.0, 1000.0)); }
 
-  // A sampling rate is at most 1e9 Hz because stamps are whole nanoseconds; a bridged gap lasts at most an hour.
+  // A sampling rate is at most 1e9 Hz because stamps are whole nanoseconds. A bridged time gap lasts at most an hour.
   void load(const Entry& entry, double& value) {
     const bool is_rate = log::endsWith(entry.path, "sampling_rate");
     value = is_rate ? loadWithin(entry, 1e-9, 1e9, "a number from 1e-9 to 1e9")
@@ -239,7 +239,7 @@ class JobsReader : public io::YamlReader {
     }
   }
 
-  // Refuses keys without effect.
+  // Refuses keys that have no effect on the command.
   void checkUse(const Entry& entry, Command command) {
     using Commands = std::vector<std::string>;
     static const std::vector<std::pair<std::string, Commands>> uses = {
@@ -258,9 +258,9 @@ class JobsReader : public io::YamlReader {
   }
 };
 
-// Returns a number between 0 and 1. Adding 0.5 avoids 0, for which a normal number would be infinite.
+// Returns a number between 0 and 1. Adding 0.5 avoids 0, for which the normal quantile would be infinite.
 double uniform(std::mt19937_64& generator) {
-  constexpr int kBits = 53;  // of a double's significand
+  constexpr int kBits = 53;  // length of the significand of a double
   return std::ldexp(static_cast<double>(generator() >> (64 - kBits)) + 0.5, -kBits);
 }
 

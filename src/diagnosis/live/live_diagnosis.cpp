@@ -1,4 +1,4 @@
-// Diagnosis of one component while its bench runs.
+// Diagnoses one component while its bench runs.
 #include "diagnosis/live/live_diagnosis.h"
 
 #include <fmt/format.h>
@@ -19,12 +19,12 @@ namespace rubber_suspension::diagnosis::live {
 namespace {
 
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSettling = 5.0;        // [s] after a start, until the response to earlier motion has decayed
-constexpr double kShortestPause = 10.0;  // [s] between two looks
-constexpr double kLogLength = 30.0;      // [s] of the logs that a window is cut into, at least
+constexpr double kSettling = 5.0;        // time after a start until the response to earlier motion has decayed [s]
+constexpr double kShortestPause = 10.0;  // shortest time between two looks [s]
+constexpr double kLogLength = 30.0;      // least length of the logs into which a window is cut [s]
 constexpr std::size_t kMostPieces = 4;
 constexpr double kFewestInBlock = 20;
-constexpr double kSamplesPerPeriod = 16.0;  // of the fastest motion, kept in a log that is thinned
+constexpr double kSamplesPerPeriod = 16.0;  // least number of samples per period of the fastest motion after thinning
 constexpr int kResamplings = 100;
 
 double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
@@ -47,7 +47,7 @@ double probabilityOf(const std::string& effect, const Diagnosis& diagnosis) {
   return found == diagnosis.candidates.end() ? 0.0 : found->probability;
 }
 
-// Every `step`-th sample from number `first` on.
+// Returns every `step`-th sample from index `first` on.
 log::Log logOf(const std::deque<LiveSample>& samples, std::size_t first, std::size_t step) {
   log::Log log;
   log.name = "live";
@@ -59,7 +59,7 @@ log::Log logOf(const std::deque<LiveSample>& samples, std::size_t first, std::si
   return log;
 }
 
-// Largest thinning that keeps enough samples per period of the fastest motion above the noise.
+// Returns the largest step of thinning that keeps enough samples per period of the fastest motion above the noise.
 std::size_t largestStep(const log::Log& log) {
   const log::Record record = log::makeRecord(log::longestStretch(log));
   const double rate = kSamplesPerPeriod * std::max(record.highest_frequency, record.mean_frequency);
@@ -84,7 +84,6 @@ std::vector<log::Log> cut(const log::Log& whole) {
 
 }  // namespace
 
-/// A component that is simulated along with the samples.
 class LiveDiagnosis::Model {
  public:
   explicit Model(const io::ComponentDescription& description)
@@ -92,7 +91,7 @@ class LiveDiagnosis::Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  // Returns NaN if the sample has no force.
+  // Returns NaN if the model refuses the sample.
   double force(const LiveSample& sample) {
     const component::StreamForce answer = stream_.push(sample.stamp, sample.displacement);
     return component::isAccepted(answer.acceptance) ? answer.force.total : kNoForce;
@@ -103,9 +102,9 @@ class LiveDiagnosis::Model {
   component::SampleStream stream_;
 };
 
-/// The sums of a block so far.
+/// Sums over a block that is not complete yet.
 struct LiveDiagnosis::Block {
-  /// Standard deviation of a stretch.
+  /// Computes the standard deviation of the values in a block.
   class Spread {
    public:
     void add(double value) {
@@ -126,7 +125,7 @@ struct LiveDiagnosis::Block {
   std::int64_t begin = 0;  // [ns]
   std::int64_t last = 0;
   double samples = 0.0;
-  bool whole = true;  // no stretch without samples
+  bool whole = true;  // true if no stretch of the block lacks samples
   Spread force;
   Spread configured;
   Spread re_estimated;
@@ -219,7 +218,7 @@ bool LiveDiagnosis::lookIsDue() const {
   const std::int64_t now = samples_.back().stamp;
   const std::int64_t begin = windowBegin();
   const double pause = std::clamp(0.5 * last_window_, kShortestPause, settings_.longest_pause);
-  const bool is_new = seconds(last_look_ - regime_begin_) < settings_.shortest_window;  // no look covers the regime
+  const bool is_new = seconds(last_look_ - regime_begin_) < settings_.shortest_window;  // no look was at this regime
   return seconds(now - begin) >= settings_.shortest_window && (is_new || seconds(now - last_look_) >= pause);
 }
 
@@ -250,7 +249,7 @@ void LiveDiagnosis::look(const std::function<bool()>& stop) {
     ++findings_.looks;
     judgement_.addLook({diagnosis.answer.verdict, diagnosis.answer.effects});
     if (diagnosis.answer.effects.empty() && !judgement_.now().effects.empty()) {
-      return;  // a look without an effect does not withdraw the named one
+      return;  // a look without an effect does not withdraw the named effect
     }
     findings_.stamp = last_look_;
     findings_.samples = 0;
@@ -283,7 +282,7 @@ void LiveDiagnosis::takeUp(const Diagnosis& diagnosis) {
                                        [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
   const bool has_effect = !diagnosis.answer.effects.empty();
   if (block_) {
-    block_->whole = false;  // the look includes its beginning
+    block_->whole = false;  // the look includes the beginning of this block
   }
   re_estimated_model_ = has_effect ? warmedUp(diagnosis.re_estimated) : nullptr;
   augmented_model_ = has_effect ? warmedUp(diagnosis.law.augmented) : nullptr;

@@ -1,4 +1,4 @@
-// Diagnosis of one component while its bench runs, from samples to the findings so far. Uses neither threads nor ROS.
+// Diagnoses one component while its bench runs, from samples to the findings so far. Uses neither threads nor ROS.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace rubber_suspension::diagnosis::live {
 
-/// A displacement with the force measured at the same stamp.
+/// A displacement and the force that was measured at the same time.
 struct LiveSample {
   std::int64_t stamp = 0;     ///< [ns]
   double displacement = 0.0;  ///< [m]
@@ -24,55 +24,57 @@ struct LiveSample {
 
 struct LiveSettings {
   std::size_t memory = 300000;       ///< largest number of samples that are kept
-  double shortest_window = 20.0;     ///< of a look [s]
-  double longest_window = 120.0;     ///< [s]
-  double longest_pause = 60.0;       ///< between two looks [s of the stamps]
-  std::size_t most_samples = 24000;  ///< in a look; a denser log is thinned as far as its motion allows
+  double shortest_window = 20.0;     ///< shortest window of a look [s]
+  double longest_window = 120.0;     ///< longest window of a look [s]
+  double longest_pause = 60.0;       ///< longest pause between two looks, according to the stamps [s]
+  std::size_t most_samples = 24000;  ///< largest number of samples in a look; a denser log is thinned
   LiveCriteria criteria;
 };
 
-/// Findings of the newest look and the judgement; while an effect is named, of the newest look with an effect.
+/// The judgement, and the findings of the newest look. While an effect is named, they are those of the newest look with
+/// an
+/// effect.
 struct LiveFindings {
   LiveVerdict now;
-  std::vector<double> probabilities;    ///< of the effects of the look, in their order
-  std::vector<std::string> confounded;  ///< sets that cannot be told apart, as "friction + creep"
-  Gap gap;                              ///< over the window; augmented: with the effects of the look
+  std::vector<double> probabilities;    ///< probabilities of the effects of the look, in their order
+  std::vector<std::string> confounded;  ///< sets of effects that cannot be distinguished, such as "friction + creep"
+  Gap gap;                              ///< gap over the window; its augmented value includes the effects of the look
   std::vector<std::string> rig_findings;
-  std::string where;        ///< place of the gap in words; empty if there is none
-  std::string sentence;     ///< for an engineer
-  std::int64_t stamp = 0;   ///< of the newest sample of the window [ns]
-  std::size_t samples = 0;  ///< in the look
-  double window = 0.0;      ///< [s]
-  std::size_t looks = 0;    ///< number since the recording began
+  std::string where;        ///< where the gap lies, in words; empty if there is no gap
+  std::string sentence;     ///< verdict in words for an engineer
+  std::int64_t stamp = 0;   ///< stamp of the newest sample in the window [ns]
+  std::size_t samples = 0;  ///< number of samples in the look
+  double window = 0.0;      ///< length of the window [s]
+  std::size_t looks = 0;    ///< number of looks since the recording began
 };
 
-/// Simulates the configured model along with the samples and records its error block by block. A look is a diagnosis
-/// (diagnose()) of the last minutes since the error changed its level; a long window is split into several logs. The
-/// component that a look proposes is then simulated, too, and judged on the blocks that follow (LiveJudgement). The
-/// state at the beginning of a window is unknown: in the diagnosis, the priors of the rig account for it, and each
-/// model runs through the window before its errors count.
+/// Simulates the configured model along with the samples and records its error block by block. A look is a diagnosis of
+/// the last minutes (diagnose()), but not of samples before the last change in the level of the error. A long window is
+/// split into several logs. The component that a look proposes is then simulated as well, and judged on the following
+/// blocks (LiveJudgement). The state at the beginning of a window is unknown. In the diagnosis, the priors of the rig
+/// account for it; each proposed model is simulated through the whole window before its errors count.
 ///
-/// An offset or a drift of the force may be one of the load cell: block errors are taken without their means.
+/// An offset or a drift of the force may be caused by the load cell. The errors of a block are therefore computed
+/// without
+/// their mean.
 class LiveDiagnosis {
  public:
   /// Throws std::invalid_argument if the component has no solution.
   explicit LiveDiagnosis(io::ComponentDescription configured, const LiveSettings& settings = {});
   ~LiveDiagnosis();
 
-  /// Adds the next sample. Drops one whose stamp does not advance; a step back of more than a second starts a new
-  /// recording and discards all earlier samples.
+  /// Adds the next sample. Drops a sample whose stamp is not later than the previous one. If the stamp is more than a
+  /// second earlier, a new recording starts and all earlier samples are discarded.
   void add(const LiveSample& sample);
 
   bool lookIsDue() const;
 
-  /// Diagnoses the window, which takes seconds; calls `stop` many times a second. Throws io::Cancelled. If the window
-  /// cannot be diagnosed, findings() give the reason.
+  /// Diagnoses the window, which takes some seconds, and calls `stop` many times per second. Throws io::Cancelled. If
+  /// the window cannot be diagnosed, findings() state the reason.
   void look(const std::function<bool()>& stop = {});
 
-  /// Returns the findings as of the newest sample.
   LiveFindings findings() const;
 
-  /// Returns the number of looks since the recording began.
   std::size_t looks() const { return findings_.looks; }
 
   /// Returns the component that closes the reported gap, if an effect or wrong values are reported.
@@ -96,15 +98,15 @@ class LiveDiagnosis {
   LiveJudgement judgement_;
   std::deque<LiveSample> samples_;
   std::int64_t first_ = 0;         // stamp of the first sample [ns]
-  std::int64_t regime_begin_ = 0;  // stamp of the last change in the level of the configured model's error [ns]
+  std::int64_t regime_begin_ = 0;  // stamp of the last change in the level of the error [ns]
   std::int64_t last_look_ = 0;     // newest stamp at the last look [ns]
-  double last_window_ = 0.0;       // of that look [s]
+  double last_window_ = 0.0;       // length of the window of the last look [s]
   std::unique_ptr<Model> configured_model_;
-  std::unique_ptr<Model> re_estimated_model_;  // this and the next: of the last look, if it has an effect
+  std::unique_ptr<Model> re_estimated_model_;  // null unless the last look has an effect, like the next model
   std::unique_ptr<Model> augmented_model_;
   std::unique_ptr<Block> block_;
   LiveFindings findings_;
-  std::optional<io::ComponentDescription> candidate_;  // proposed by the look of findings_
+  std::optional<io::ComponentDescription> candidate_;  // proposed by the look that findings_ describe
 };
 
 }  // namespace rubber_suspension::diagnosis::live

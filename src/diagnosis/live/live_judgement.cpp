@@ -1,4 +1,4 @@
-// Judgement of a component while its bench runs.
+// Judges a component while its bench runs.
 #include "diagnosis/live/live_judgement.h"
 
 #include <algorithm>
@@ -9,20 +9,20 @@
 namespace rubber_suspension::diagnosis::live {
 namespace {
 
-constexpr std::size_t kMostPoints = 3600;  // an hour of blocks of a second
-constexpr double kStill = 0.1;             // of the usual force: hardly any motion
-constexpr double kSlow = 0.02;             // weight of a new block in the usual force
-constexpr double kLeastRise = 0.1;         // in the logarithm: 10 % more error
+constexpr std::size_t kMostPoints = 3600;  // an hour of blocks of one second
+constexpr double kStill = 0.1;             // the component hardly moves below this share of the usual force
+constexpr double kSlow = 0.02;             // weight of a new block in the running mean of the force
+constexpr double kLeastRise = 0.1;         // least increase of the logarithmic error that is an onset: 10 %
 
 constexpr std::size_t kShortest = 4;
-// Least standard deviation of a stretch: RMS values of some 100 samples of noise scatter by 1/sqrt(2 n), 7 %.
+// Least standard deviation of a stretch. The RMS of n = 100 samples of noise scatters by 1/sqrt(2 n) = 7 %.
 constexpr double kLeastDeviation = 0.05;
-// A change needs a log-likelihood ratio of 6, plus 3 ln n for n possible places: by chance, the best of n places gains
-// about 3/2 ln n more than three parameters do, and twice that is on the safe side.
+// A change needs a log-likelihood ratio of at least 6 + 3 ln n for n possible positions. By chance, the best of n
+// positions gains about 3/2 ln n in addition to the gain from three more parameters. Twice this value is safe.
 constexpr double kLeastGain = 6.0;
 constexpr double kGainPerPlace = 3.0;
 
-/// Sums of the values before each place and of their squares.
+/// Cumulative sums of values and of their squares.
 class Sums {
  public:
   explicit Sums(const std::vector<double>& values) : sum_(values.size() + 1), square_(values.size() + 1) {
@@ -36,7 +36,7 @@ class Sums {
     return (sum_[last] - sum_[first]) / static_cast<double>(last - first);
   }
 
-  // Largest log-likelihood of a stretch, up to a constant.
+  // Returns the largest log-likelihood of normal values in a stretch, up to a constant.
   double likelihood(std::size_t first, std::size_t last) const {
     const double count = static_cast<double>(last - first);
     const double middle = mean(first, last);
