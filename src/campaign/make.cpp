@@ -32,8 +32,9 @@ namespace fs = std::filesystem;
 // Escapes the name of a folder, which must not act as a pattern.
 std::string escaped(const std::string& text) { return std::regex_replace(text, std::regex(R"([*?[\\])"), R"(\$&)"); }
 
-// Returns the files that the shell pattern (*, ?, [...]) matches, relative to `folder` unless it begins with a slash:
-// absolute paths with symbolic links kept, sorted by bytes so that the order does not depend on the locale.
+// Returns the files that match the shell pattern (*, ?, [...]), relative to `folder` unless the pattern begins with a
+// slash. The paths are absolute, keep symbolic links, and are sorted by bytes, so that the order does not depend on the
+// locale.
 std::vector<std::string> matchPattern(const std::string& folder, const std::string& pattern) {
   const std::string base = fs::absolute(folder.empty() ? "." : folder).lexically_normal().string();
   glob_t matches{};
@@ -55,7 +56,7 @@ std::vector<std::string> matchPattern(const std::string& folder, const std::stri
 
 using Components = std::vector<io::ComponentDescription>;
 
-// A log with the options of the job that reads it.
+// A log, and a job whose options state how the log is read.
 struct Reading {
   std::size_t input;
   Job job;
@@ -63,9 +64,9 @@ struct Reading {
 
 // Contents of one folder of a group.
 struct Place {
-  std::string name;  // relative to the folder of the jobs file, as users know it
+  std::string name;  // relative to the folder of the jobs file
   std::string config;
-  std::vector<io::InputFile> logs;  // including those held out
+  std::vector<io::InputFile> logs;  // including held-out logs
 };
 
 constexpr const char* kLog = "log";
@@ -114,7 +115,7 @@ class Maker {
     }
   }
 
-  // Hashes every file and reads every log, with several threads.
+  // Hashes every file and reads every log in several threads.
   void checkInputs(int threads, const LogReader& read_log) {
     std::vector<InputFile>& files = manifest_.inputs;
     std::vector<std::string> found(files.size() + readings_.size());
@@ -156,13 +157,13 @@ class Maker {
     problems_.push_back(fmt::format("{}:{}: jobs.{}.{}", path_, group.line, group.name, text));
   }
 
-  // True for the campaign's folder and its subfolders, which may exist from an earlier run.
+  // Returns true for the folder of the campaign and its subfolders, which may exist since an earlier run.
   bool isOwn(const std::string& path) const {
     static const std::vector<std::string> made = {"", "/results", "/reports", "/running", "/slurm"};
     return std::any_of(made.begin(), made.end(), [&](const std::string& name) { return path == output_ + name; });
   }
 
-  // Omits files with a problem, because reading them may never end.
+  // Returns the paths that match. Files with a problem are omitted, because reading them may never end.
   std::vector<std::string> match(const JobGroup& group, const char* key, const std::string& folder,
                                  const std::vector<std::string>& patterns) {
     std::vector<std::string> paths;
@@ -228,7 +229,7 @@ class Maker {
     }
   }
 
-  // Refuses a log that is given twice and, except for replays, copies of a log under other names.
+  // Refuses a log that is given twice. Unless the jobs are replays, also refuses copies of a log under other names.
   void refuseTwice(const JobGroup& group, const std::vector<io::InputFile>& logs) {
     std::set<std::string> seen;
     std::vector<io::InputFile> distinct;
@@ -259,7 +260,7 @@ class Maker {
     }
   }
 
-  // Parses equal files once, because most files of a fleet are copies.
+  // Parses equal files only once, because most files of a fleet are copies.
   const Components& load(const std::string& path) {
     const std::string text = log::readInput(path, io::kMaximumComponentFileSize, "; accepted: a component file");
     const auto known = components_.find(text);
@@ -292,7 +293,7 @@ class Maker {
     job.component = component;
     job.options = group.options;
     job.config = inputOf(place.config);
-    const Job reader = job;  // without logs
+    const Job reader = job;  // the job does not have logs yet
     const nlohmann::ordered_json reading = {job.options, component, job.command == Command::replay};
     for (const auto& [key, path] : place.logs) {
       const std::size_t input = inputOf(path);
@@ -304,7 +305,7 @@ class Maker {
     return job;
   }
 
-  // Returns the index of a file in the list of inputs, to which new files are appended.
+  // Returns the index of a file in the list of inputs. A new file is appended to the list.
   std::size_t inputOf(const std::string& path) {
     const auto [place, added] = inputs_.emplace(path, manifest_.inputs.size());
     if (added) {
@@ -343,7 +344,7 @@ class Maker {
     }
   }
 
-  // Adds one job for all logs, or one per log.
+  // Adds one job for all logs, or one job per log.
   void addJobs(const JobGroup& group, const Job& job) {
     if (group.command != Command::replay && !group.one_job_per_log) {
       addJob(job);
@@ -364,12 +365,12 @@ class Maker {
     }
   }
 
-  std::string path_;    // of the jobs file
+  std::string path_;    // path of the jobs file
   std::string base_;    // folder of the jobs file
-  std::string output_;  // the campaign's own folder
+  std::string output_;  // folder of the campaign
   Manifest manifest_;
   std::unordered_map<std::string, Components> components_;  // by the text of their file
-  std::unordered_map<std::string, std::size_t> inputs_;     // indices by path
+  std::unordered_map<std::string, std::size_t> inputs_;     // index of each path
   std::vector<Reading> readings_;
   std::set<std::pair<std::size_t, nlohmann::ordered_json>> seen_readings_;
   std::vector<std::string> notes_;

@@ -1,4 +1,4 @@
-// Jobs, their ids, and the manifest as JSON lines.
+// Computes ids of jobs, and writes and reads the manifest as JSON lines.
 #include "campaign/manifest.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ void readEnum(const nlohmann::json& json, Enum& value, const std::vector<std::st
   value = static_cast<Enum>(found - names.begin());
 }
 
-// Calls visit(key, pointer to member, true if every manifest has it) for all but the options.
+// Calls visit(key, pointer to member, true if every manifest contains the key) for all members except the options.
 template <class Visit>
 void forEachMember(Visit visit) {
   visit("id", &Job::id, true);
@@ -47,7 +47,7 @@ void forEachMember(Visit visit) {
   visit("command", &Job::command, true);
 }
 
-// Returns the digest of the content and the name of each file.
+// Returns the digest of the contents and the name of each file.
 ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<InputFile>& inputs) {
   return element::each(files, [&](std::size_t file) -> ordered_json {
     return {inputs.at(file).content.sha256, std::filesystem::path(inputs.at(file).path).stem().string()};
@@ -56,7 +56,7 @@ ordered_json filesJson(const std::vector<std::size_t>& files, const std::vector<
 
 const char* const kManifestSchema = "rubber_suspension/campaign/1";
 
-// Records are spread over 256 folders by the first two digits of the id, so that no folder becomes too large.
+// The first two digits of the id select one of 256 folders, so that no folder has too many records.
 constexpr std::size_t kPrefix = 2;
 
 std::string split(const std::string& id) { return id.substr(0, kPrefix) + "/" + id.substr(kPrefix); }
@@ -114,7 +114,7 @@ void from_json(const nlohmann::json& json, JobOptions& options) {
       json.at(key).get_to(options.*option);
     }
   });
-  for (const auto& entry : json.items()) {  // those of another version may be unknown and must not be ignored
+  for (const auto& entry : json.items()) {  // options of another version may be unknown and must not be ignored
     element::refuseIf(std::find(known.begin(), known.end(), entry.key()) == known.end(), "'{}' is unknown{}",
                       entry.key(), element::didYouMean(entry.key(), known));
   }

@@ -1,5 +1,5 @@
-// The manifest lists the jobs of a campaign, each of which is one command on one component and its logs, and the files
-// that the jobs read.
+// Defines the manifest, which lists the jobs of a campaign and the files that they read. Each job is one command on one
+// component and its logs.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,19 @@
 
 namespace rubber_suspension::campaign {
 
-/// Task of a job; each is the command of that name.
+/// The command that a job executes.
 enum class Command {
-  diagnose,  ///< diagnose
+  diagnose,
   estimate,  ///< estimate --from-log
   replay,    ///< replay of one log
 };
 
 /// Files that a job writes besides its record.
 enum class Reports {
-  none,  ///< its record only
-  data,  ///< files for other programs: report.json, augmented.yaml; identification.json, component.yaml; force.csv
-  full,  ///< also report.html, whose figures take longer than many a diagnosis
+  none,  ///< only the record of the job
+  /// Files for other programs: report.json and augmented.yaml, identification.json and component.yaml, or force.csv.
+  data,
+  full,  ///< also report.html, whose figures may take longer than the diagnosis
 };
 
 // Names, in the order of the enumerators.
@@ -34,28 +35,28 @@ const std::vector<std::string> kReports = {"none", "data", "full"};
 inline const std::string& toString(Command command) { return kCommands.at(static_cast<std::size_t>(command)); }
 inline const std::string& toString(Reports reports) { return kReports.at(static_cast<std::size_t>(reports)); }
 
-/// Options of a job; the commands have options of the same names.
+/// Options of a job. Each has the meaning of the option of the command that is named beside it.
 struct JobOptions {
   Reports reports = Reports::data;
-  bool evidence = false;                   ///< as --evidence, of diagnose
-  std::vector<std::string> columns;        ///< as --columns
-  std::string unit;                        ///< as --unit
-  double sampling_rate = 0.0;              ///< as --sampling-rate [Hz]; 0: not given
-  std::string decimal;                     ///< as --decimal
-  std::string segment;                     ///< as --segment
-  double bridge = -1.0;                    ///< as --bridge [s]; less than 0: not given
-  std::string sentinel;                    ///< as --sentinel
-  std::string clock;                       ///< as --clock
-  bool accept_units = false;               ///< as --accept-units
-  bool large = false;                      ///< as --large
-  bool without_rig = false;                ///< as --without-rig
-  std::map<std::string, std::string> rig;  ///< as --rig, of diagnose
-  std::vector<std::string> exclude;        ///< as --exclude, of diagnose
-  std::vector<std::string> hold;           ///< as --hold, of estimate
-  int starts = 0;                          ///< as --starts, of estimate; 0: not given
+  bool evidence = false;                   ///< --evidence of diagnose
+  std::vector<std::string> columns;        ///< --columns
+  std::string unit;                        ///< --unit
+  double sampling_rate = 0.0;              ///< --sampling-rate [Hz]; 0 if not given
+  std::string decimal;                     ///< --decimal
+  std::string segment;                     ///< --segment
+  double bridge = -1.0;                    ///< --bridge [s]; negative if not given
+  std::string sentinel;                    ///< --sentinel
+  std::string clock;                       ///< --clock
+  bool accept_units = false;               ///< --accept-units
+  bool large = false;                      ///< --large
+  bool without_rig = false;                ///< --without-rig
+  std::map<std::string, std::string> rig;  ///< --rig of diagnose
+  std::vector<std::string> exclude;        ///< --exclude of diagnose
+  std::vector<std::string> hold;           ///< --hold of estimate
+  int starts = 0;                          ///< --starts of estimate; 0 if not given
 };
 
-/// Calls visit(key, pointer to member) for each option, by the keys of jobs files and manifests.
+/// Calls visit(key, pointer to member) for each option, with the keys that jobs files and manifests use.
 template <class Visit>
 void forEachOption(Visit visit) {
   visit("reports", &JobOptions::reports);
@@ -77,63 +78,64 @@ void forEachOption(Visit visit) {
   visit("starts", &JobOptions::starts);
 }
 
-/// A file that jobs read, with its hash when the manifest was made.
+/// A file that jobs read, and its hash at the time when the manifest was made.
 struct InputFile {
   std::string path;  ///< absolute
   io::FileHash content;
 };
 
-/// One job; `config`, `logs` and `hold_out` are indices into the inputs of the manifest.
+/// One job. `config`, `logs` and `hold_out` are indices into the inputs of the manifest.
 struct Job {
-  std::string id;          ///< SHA-256 by jobId(), 64 hexadecimal digits
-  std::string group;       ///< name of its entry in the jobs file
-  std::string type;        ///< components of one type are compared with each other
-  std::string test_rig;    ///< name of the rig; jobs of one rig may share its compliance
-  std::string test_piece;  ///< folder, with the number of the draw if any; distinguishes components of one name
+  std::string id;        ///< SHA-256 digest that jobId() returns, as 64 hexadecimal digits
+  std::string group;     ///< name of the entry in the jobs file
+  std::string type;      ///< components of the same type are compared with each other
+  std::string test_rig;  ///< name of the rig; jobs on the same rig may share its compliance
+  /// Folder, and number of the draw if there is one. Distinguishes components with equal names.
+  std::string test_piece;
   Command command = Command::diagnose;
   std::string component;
   std::size_t config = 0;
   std::vector<std::size_t> logs;
   std::vector<std::size_t> hold_out;
-  std::map<std::string, double> specification;  ///< drawn values in place of those of the file [SI]
+  std::map<std::string, double> specification;  ///< drawn values that replace those in the file [SI]
   JobOptions options;
 };
 
-/// Returns the name of a job for messages: its entry in the jobs file, its test piece and the beginning of its id.
+/// Returns the name of a job for messages: name of its entry in the jobs file, test piece, and beginning of its id.
 std::string nameOf(const Job& job);
 
-/// Returns the id of a job. It depends on the contents of its files, the names of its logs (which the report shows),
-/// its options and the version of the program, but not on the folders of the files.
+/// Returns the id of a job. It depends on the contents of the files, the names of the logs (which the report shows),
+/// the options and the version of the program, but not on the folders of the files.
 std::string jobId(const Job& job, const std::vector<InputFile>& inputs, const std::string& version);
 
 void to_json(nlohmann::ordered_json& json, const JobOptions& options);
 
-/// Writes or reads a line of a manifest, which omits options and lists at their defaults. Reading throws
+/// Writes or reads a line of a manifest. The line omits options and lists with their default values. Reading throws
 /// std::invalid_argument or nlohmann::json::exception.
 void to_json(nlohmann::ordered_json& json, const Job& job);
 void from_json(const nlohmann::json& json, Job& job);
 
 struct Manifest {
-  std::string version;  ///< version of the program that made the manifest
+  std::string version;
   std::vector<InputFile> inputs;
   std::vector<Job> jobs;
 
-  /// Returns the indices of the jobs with distinct ids, in the order of the manifest: jobs with equal inputs and
-  /// options run once and share the result.
+  /// Returns the indices of the jobs with distinct ids, in the order of the manifest. Jobs with equal inputs and
+  /// options have the same id, run once and share the result.
   std::vector<std::size_t> distinctJobs() const;
 };
 
-/// Paths in the folder of a campaign.
 inline std::string manifestPath(const std::string& folder) { return folder + "/manifest.jsonl"; }
 std::string recordPath(const std::string& folder, const std::string& id);
 
-/// Returns the folder of a job's reports, relative to that of the campaign.
+/// Returns the folder of the reports of a job, relative to the folder of the campaign.
 std::string reportFolder(const std::string& id);
 
-/// Writes JSON lines: a header with the numbers of inputs and jobs, the inputs, the jobs. Throws std::runtime_error.
+/// Writes JSON lines: a header with the numbers of inputs and jobs, then the inputs, then the jobs. Throws
+/// std::runtime_error.
 void writeManifest(const Manifest& manifest, const std::string& folder);
 
-/// Reads a manifest. Throws std::runtime_error that names the file, the line and what is accepted.
+/// Reads a manifest. Throws std::runtime_error with the name of the file, the line and what is accepted.
 Manifest readManifest(const std::string& folder);
 
 }  // namespace rubber_suspension::campaign

@@ -1,4 +1,4 @@
-// Records as JSON files.
+// Writes and reads records as JSON files.
 #include "campaign/record.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 const std::string kDigestKey = ",\"sha256\":\"";
 
-// Returns the text of a record with the digest of all other members as its last member.
+// Appends a last member to the text of a record: the digest of all other members.
 std::string withDigest(std::string text) {
   const std::string digest = io::sha256(text);
   text.pop_back();
@@ -53,7 +53,7 @@ ordered_json recordJson(const Record& record) {
           {"seconds", record.seconds}};
 }
 
-// Throws std::exception if the text is not a complete record. The depth is bounded because copying JSON recurses.
+// Throws std::exception if the text is not a complete record. The depth is limited because copying JSON is recursive.
 Record recordFromText(const std::string& text) {
   static constexpr int kDeepest = 16;
   const auto json = ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, ordered_json&) {
@@ -78,7 +78,7 @@ Record recordFromText(const std::string& text) {
   return record;
 }
 
-// Returns the kind of an entry that is not a regular file; "" for a regular file or if nothing is there.
+// Returns the kind of an entry that is not a regular file. Returns "" for a regular file, or if there is no entry.
 std::string otherKind(const std::string& path) {
   std::error_code unknown;  // reported when reading fails
   const fs::file_status status = fs::status(path, unknown);
@@ -88,7 +88,7 @@ std::string otherKind(const std::string& path) {
   return fs::is_directory(status) ? "a folder" : (fs::is_fifo(status) ? "a pipe" : "a device or socket");
 }
 
-// Throws std::runtime_error if the record is of another job or version, or if it or its report has changed.
+// Throws std::runtime_error if the record belongs to another job or version, or if it or its report has changed.
 void check(const Record& record, const std::string& text, const std::string& folder, const std::string& id,
            const std::string& version, FileCheck files) {
   using Error = std::runtime_error;
@@ -125,12 +125,12 @@ void writeRecord(const Record& record, const std::string& folder) {
   if (!otherKind(path).empty()) {
     fs::rename(path, path + ".no_record");
   }
-  // An error may quote a file's bytes, which need not be UTF-8.
+  // An error may quote bytes of a file, which need not be valid UTF-8.
   log::writeNewFile(path, withDigest(recordJson(record).dump(-1, ' ', false, ordered_json::error_handler_t::replace)));
 }
 
 FoundRecord findRecord(const std::string& folder, const std::string& id, const std::string& version, FileCheck files) {
-  constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20;  // bytes; far more than ten thousand values
+  constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20;  // bytes; far more than ten thousand values need
   const std::string path = recordPath(folder, id);
   if (const std::string kind = otherKind(path); !kind.empty()) {  // reading a pipe would block
     return {std::nullopt, path + ": is " + kind + "; accepted: a record"};

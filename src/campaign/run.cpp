@@ -18,7 +18,7 @@
 namespace rubber_suspension::campaign {
 namespace {
 
-// Shows progress and remaining time, in place on a terminal and otherwise in one line per minute.
+// Shows progress and remaining time: on a terminal in one line that is overwritten, otherwise in one line per minute.
 class RunProgress {
  public:
   RunProgress(std::size_t total, const Say& say) : total_(total), say_(say) {}
@@ -57,7 +57,7 @@ class RunProgress {
   std::size_t done_ = 0;
 };
 
-// Returns the jobs of the shard that are to be run.
+// Returns the jobs of the shard that have to be run.
 std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& folder, const RunOptions& options,
                                   const Say& say, RunSummary& summary) {
   const std::vector<std::size_t> distinct = manifest.distinctJobs();

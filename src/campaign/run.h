@@ -1,4 +1,4 @@
-// Runs the jobs of a campaign, or a shard of them. Jobs with a result are skipped; a failure is stored as a record.
+// Runs the jobs of a campaign, or a shard of them. Jobs with a result are skipped. A failure is stored in the record.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace rubber_suspension::campaign {
 
-/// Every `count`-th job, from the `index`-th on.
+/// Every `count`-th job, beginning with the job of number `index`.
 struct Shard {
-  std::size_t index = 1;  ///< from 1 to `count`
+  std::size_t index = 1;  ///< 1 to `count`
   std::size_t count = 1;
 
   bool holds(std::size_t place) const { return place % count == index - 1; }
@@ -21,31 +21,31 @@ struct Shard {
 /// Parses "3/8", the third of eight shards. Throws std::invalid_argument that states what is accepted.
 Shard parseShard(const std::string& text);
 
-/// Default time limit of a job [min], meant only for jobs that would never end: a diagnosis searches at most 300,000
-/// samples, which takes some minutes, however long its logs are.
+/// Default time limit of a job [min]. It is meant for jobs that would never end: a diagnosis searches at most 300,000
+/// samples, however long its logs are, which takes some minutes.
 constexpr double kJobMinutes = 240.0;
 
 struct RunOptions {
   Shard shard;
   int workers = 1;
-  bool retry_failed = false;         ///< run failed jobs again
-  double job_minutes = kJobMinutes;  ///< a job that takes longer counts as failed; 0: no limit
+  bool retry_failed = false;         ///< runs failed jobs again
+  double job_minutes = kJobMinutes;  ///< a job that takes longer counts as failed; 0 for no limit
 };
 
 struct RunSummary {
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t passed_over = 0;    ///< done or failed before
-  std::size_t failed_before = 0;  ///< failed ones among them
-  std::size_t not_done = 0;       ///< out of memory, or killed from outside; the next run repeats them
+  std::size_t passed_over = 0;    ///< number of jobs with a result of an earlier run
+  std::size_t failed_before = 0;  ///< number of jobs among passed_over that have failed
+  std::size_t not_done = 0;       ///< out of memory, or killed from outside; the next run repeats these jobs
   bool interrupted = false;
 };
 
-/// Receives each line for the user: broken records whose jobs run again, failed jobs, and progress from time to time.
+/// Receives each line for the user: broken records whose jobs are run again, failed jobs, and progress.
 using Say = std::function<void(const std::string& line)>;
 
-/// Runs the jobs. Throws std::runtime_error if the manifest is of another version than `version` or a file cannot be
-/// written; after a full disk, the next run continues.
+/// Runs the jobs. Throws std::runtime_error if the manifest was made by another version than `version`, or if a file
+/// cannot be written. If the disk was full, the next run continues.
 RunSummary run(const std::string& folder, const std::string& version, const RunOptions& options,
                const LogReader& read_log, const Say& say);
 

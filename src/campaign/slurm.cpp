@@ -1,4 +1,4 @@
-// A campaign as a job array of Slurm, by the commands of Slurm.
+// Runs a campaign as a job array of Slurm, with the commands of Slurm.
 #include "campaign/slurm.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Quotes a text as one word of a shell.
+// Quotes a text as one word for a shell.
 std::string shellWord(const std::string& text) { return "'" + boost::replace_all_copy(text, "'", "'\\''") + "'"; }
 
 std::string absolutePath(const std::string& folder) { return fs::absolute(folder).lexically_normal().string(); }
@@ -48,10 +48,10 @@ Said ask(const std::string& command) {
   return said;
 }
 
-// Returns the digits at the beginning; may be empty.
+// Returns the leading digits, which may be none.
 std::string numberIn(const std::string& text) { return text.substr(0, text.find_first_not_of("0123456789")); }
 
-// File with the number of the array that was submitted last from this folder.
+// Returns the path of the file with the number of the array that was submitted last from this folder.
 std::string submittedPath(const std::string& folder) { return folder + "/slurm/submitted"; }
 
 void refuseSecond(const std::string& folder) {
@@ -110,7 +110,7 @@ std::string submitArray(const SlurmArray& array, const std::string& folder) {
   io::makeFolder(folder + "/slurm");
   const std::string script = folder + "/slurm/array.sh";
   log::writeNewFile(script, array.script);
-  // Log file of a task; % begins Slurm's placeholders.
+  // The log file of a task. A % begins a placeholder of Slurm.
   const std::string log = boost::replace_all_copy(absolutePath(folder), "%", "%%") + "/slurm/%A_%a.log";
   const Said said = ask("sbatch --parsable --output=" + shellWord(log) + " " + shellWord(script));
   std::string id = numberIn(said.text);

@@ -1,4 +1,4 @@
-// A campaign as a job array of Slurm, each task of which runs one shard.
+// Runs a campaign as a job array of Slurm. Each task of the array runs one shard.
 #pragma once
 
 #include <cstddef>
@@ -11,31 +11,31 @@
 namespace rubber_suspension::campaign {
 
 struct SlurmOptions {
-  std::string program;               ///< absolute path of `campaign`, equal on every node
-  double shard_minutes = 5.0;        ///< intended run time of an array task: an empty one already takes some seconds
-  std::size_t max_running = 0;       ///< largest number of tasks that run at a time; 0: no limit
-  std::string partition;             ///< empty: the cluster's default
-  int workers = 1;                   ///< parallel jobs in a task, and processors that the task requests
-  double job_minutes = kJobMinutes;  ///< time limit of a job; 0: none
+  std::string program;               ///< absolute path of `campaign`, the same on every node
+  double shard_minutes = 5.0;        ///< intended run time of a task; a task without jobs takes some seconds already
+  std::size_t max_running = 0;       ///< largest number of tasks that run at a time; 0 for no limit
+  std::string partition;             ///< if empty, the default of the cluster
+  int workers = 1;                   ///< number of parallel jobs in a task, and of processors that the task requests
+  double job_minutes = kJobMinutes;  ///< time limit of a job; 0 for no limit
 };
 
-/// An array that can be submitted.
 struct SlurmArray {
-  std::size_t shards = 0;  ///< 0: every job has a result, there is nothing to submit
+  std::size_t shards = 0;  ///< 0 if every job has a result, so that there is nothing to submit
   std::string script;
-  std::string note;  ///< how the number of shards was chosen
+  std::string note;  ///< states how the number of shards was chosen
 };
 
-/// Plans an array over the remaining jobs. If no job is done yet, it assumes kAssumedSeconds for each and notes this.
-/// The script moves and deletes nothing, so that a task that Slurm requeues after the loss of a node continues where
-/// the lost one stopped.
+/// Plans an array for the remaining jobs. If no job is done yet, assumes kAssumedSeconds per job and states this in the
+/// note. The script neither moves nor deletes files. A task that Slurm requeues after the loss of a node therefore
+/// continues where the lost task stopped.
 SlurmArray planArray(const Status& status, const std::string& folder, const SlurmOptions& options);
 
-constexpr double kAssumedSeconds = 5.0;  ///< time of a job if none is done yet [s]: a diagnosis of some minutes of log
-constexpr std::size_t kMostElements = 1000;  ///< tasks of an array: Slurm's default MaxArraySize is 1001
+/// Assumed time of a job if no job is done yet [s]; a diagnosis of some minutes of log takes as long.
+constexpr double kAssumedSeconds = 5.0;
+constexpr std::size_t kMostElements = 1000;  ///< tasks in an array; the default MaxArraySize of Slurm is 1001
 
-/// Submits an array by `sbatch` and returns its number. Throws std::runtime_error if an array that was submitted from
-/// this folder still waits or runs, or if sbatch or squeue fail.
+/// Submits an array with `sbatch` and returns its number. Throws std::runtime_error if an array that was submitted from
+/// this folder still waits or runs, or if sbatch or squeue fails.
 std::string submitArray(const SlurmArray& array, const std::string& folder);
 
 }  // namespace rubber_suspension::campaign

@@ -1,4 +1,4 @@
-// Progress of a campaign.
+// Reports the progress of a campaign.
 #include "campaign/status.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ std::string hostName() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "host";
 }
 
-// Returns the current time of the file system, whose clock may be that of another machine.
+// Returns the current time of the file system. Its clock may be the clock of another computer.
 fs::file_time_type nowThere(const std::string& folder) {
   const std::string probe = fmt::format("{}/.now.{}", folder, getpid());
   std::ofstream(probe) << '\n';
@@ -39,11 +39,11 @@ fs::file_time_type nowThere(const std::string& folder) {
 }
 
 struct RunningRun {
-  std::vector<std::string> ids;  // ids of its jobs
-  double silent;                 // time since its last beat [s]
+  std::vector<std::string> ids;  // ids of the jobs that are running
+  double silent;                 // time since the last heartbeat [s]
 };
 
-// Returns all runs that have a file, by host and process.
+// Returns all runs that have a file, by the names of these files: host and process.
 std::map<std::string, RunningRun> findRuns(const std::string& folder) {
   std::map<std::string, RunningRun> runs;
   std::error_code failure;

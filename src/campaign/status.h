@@ -1,5 +1,5 @@
-// Progress of a campaign: existing records, and jobs that are running. Each run lists its current jobs in a file in the
-// campaign's folder, which is informative only and may be deleted.
+// Reports the progress of a campaign from its records and the jobs that are running. Each run lists its current jobs in
+// a file in the folder of the campaign, which is informative only and may be deleted.
 #pragma once
 
 #include <chrono>
@@ -26,16 +26,16 @@ class Heartbeat {
   std::chrono::steady_clock::time_point last_{};
 };
 
-/// A run without a heartbeat for this time [s] counts as dead; one is due every few seconds.
+/// A run without a heartbeat for this time [s] counts as dead. Heartbeats are due every few seconds.
 constexpr double kSilentForLong = 120.0;
 
 struct JobCounts {
-  std::size_t jobs = 0;  ///< with different ids
+  std::size_t jobs = 0;  ///< number of distinct ids
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t broken = 0;   ///< records that are cut off or of another version; their jobs will run again
-  std::size_t running = 0;  ///< without a record
-  std::size_t missing = 0;  ///< neither done nor failed, broken or running
+  std::size_t broken = 0;   ///< records with an error (FoundRecord::problem); their jobs will be run again
+  std::size_t running = 0;  ///< jobs without a record that a run lists as its current jobs
+  std::size_t missing = 0;  ///< all other jobs
 };
 
 struct Status {
@@ -43,8 +43,8 @@ struct Status {
   std::map<std::string, JobCounts> by_group;
   std::vector<std::string> failures;  ///< name and error of each failed job, in the order of the manifest
   std::vector<std::string> broken;
-  std::vector<std::string> silent_runs;  ///< runs that stopped reporting
-  double seconds_per_job = 0.0;          ///< mean over the jobs done [s]; 0: none is done
+  std::vector<std::string> silent_runs;  ///< runs that stopped sending heartbeats
+  double seconds_per_job = 0.0;          ///< mean over the jobs that are done [s]; 0 if none is done
 };
 
 /// Reads every record and returns the progress. Throws std::runtime_error.

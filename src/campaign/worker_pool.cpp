@@ -1,4 +1,4 @@
-// Worker processes, each connected to its supervisor by a socket for jobs and their results.
+// Runs worker processes. A socket connects each of them with the supervisor and transmits jobs and results.
 #include "campaign/worker_pool.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ namespace {
 
 // A message of a worker is one byte, a JobEnd or kException, followed by a reason.
 constexpr char kException = 'e';
-constexpr std::size_t kLongestMessage = 4096;  // bytes; the record of a job has the whole error
+constexpr std::size_t kLongestMessage = 4096;  // bytes; the record of the job contains the whole error
 
 void report(int socket, char end, const std::string& reason) {
   const std::string message = end + reason;
@@ -67,7 +67,7 @@ struct Worker {
   pid_t pid;
   int socket;
   std::optional<std::size_t> job{};
-  double seconds = 0.0;  // running time of the job [s]
+  double seconds = 0.0;  // time for which the job has run [s]
 };
 
 // While a Pool exists, SIGINT, SIGTERM and SIGHUP are blocked, and run() polls for them.
@@ -75,7 +75,7 @@ class Pool {
  public:
   Pool(const std::vector<std::size_t>& jobs, const PoolCallbacks& callbacks, double longest)
       : waiting_(jobs.begin(), jobs.end()), callbacks_(callbacks), longest_(longest) {
-    std::signal(SIGCHLD, SIG_DFL);  // a process that ignores it cannot wait for its children
+    std::signal(SIGCHLD, SIG_DFL);  // a process that ignores SIGCHLD cannot wait for its children
     sigemptyset(&interruptions_);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
       sigaddset(&interruptions_, signal);
@@ -117,7 +117,7 @@ class Pool {
   }
 
   void start() {
-    std::array<int, 2> ends{};  // of the supervisor and of the worker
+    std::array<int, 2> ends{};  // socket of the supervisor and socket of the worker
     const bool connected = socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) == 0;
     const pid_t supervisor = getpid();
     std::fflush(nullptr);
@@ -126,13 +126,13 @@ class Pool {
     if (child == 0) {
       sigprocmask(SIG_SETMASK, &signals_before_, nullptr);
       prctl(PR_SET_PDEATHSIG, SIGTERM);
-      if (getppid() == supervisor) {  // otherwise the supervisor died before prctl()
+      if (getppid() == supervisor) {  // if false, the supervisor died before prctl()
         serve(ends[1], callbacks_);
       }
       std::fflush(nullptr);
       _exit(0);  // skips destructors and exit handlers, such as those of a test framework
     }
-    close(ends[1]);  // now the worker alone has this end, and its death closes the connection
+    close(ends[1]);  // only the worker keeps this socket open, so that its death closes the connection
     workers_.push_back({child, ends[0]});
   }
 
@@ -145,11 +145,11 @@ class Pool {
     }
   }
 
-  // Waits a moment for messages, and kills workers that exceed the limit. Such a worker is reaped once it has ended,
-  // because a process that waits for a file system may end late.
+  // Waits a moment for messages, and kills workers that exceed the time limit. A killed worker is removed when it has
+  // ended, which may take long if it waits for a file system.
   void look() {
     constexpr int kMoment = 100;               // [ms]
-    constexpr double kMostBetweenLooks = 2.0;  // [s]; more means that this process was suspended, with its workers
+    constexpr double kMostBetweenLooks = 2.0;  // longer if this process was suspended together with its workers [s]
     std::vector<pollfd> sockets =
         element::each(workers_, [](const Worker& worker) { return pollfd{worker.socket, POLLIN, 0}; });
     poll(sockets.data(), sockets.size(), kMoment);
@@ -157,7 +157,7 @@ class Pool {
     const double passed = std::min(std::chrono::duration<double>(now - last_look_).count(), kMostBetweenLooks);
     last_look_ = now;
     std::vector<std::size_t> running;
-    for (std::size_t i = workers_.size(); i-- > 0;) {  // from the last, because a dead one is erased
+    for (std::size_t i = workers_.size(); i-- > 0;) {  // begins with the last one, because a dead one is erased
       Worker& worker = workers_[i];
       worker.seconds += passed;
       if (sockets[i].revents != 0) {
@@ -198,7 +198,7 @@ class Pool {
       return;
     }
     if (isOverdue(worker)) {
-      // The text states the limit, not the time taken, so that tables of equal campaigns are equal.
+      // The text states the limit rather than the time taken, so that equal campaigns have equal tables.
       callbacks_.ended(*worker.job, JobEnd::died,
                        fmt::format("the job took longer than the limit of {:.6g} min and was stopped; accepted: "
                                    "`campaign run --retry-failed` with a larger --job-minutes",
@@ -212,7 +212,7 @@ class Pool {
 
   std::deque<std::size_t> waiting_;
   const PoolCallbacks& callbacks_;
-  double longest_;  // [s]; 0: no limit
+  double longest_;  // time limit [s]; 0 for no limit
   sigset_t interruptions_{};
   sigset_t signals_before_{};
   std::chrono::steady_clock::time_point last_look_ = std::chrono::steady_clock::now();

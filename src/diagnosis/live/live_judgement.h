@@ -25,9 +25,9 @@ namespace rubber_suspension::diagnosis::live {
 /// Stat. Soc. A 184, 2021; Shafer and Vovk, Game-theoretic foundations for probability and finance, 2019). The
 /// expectation of
 ///   R <- max(R, 1) E
-/// after n bets is at most n. With Ville's inequality for R - n (Shin, Ramdas, Rinaldo, E-detectors, New England J.
-/// Stat. Data Sci. 2, 2024), without an effect
-///   P(R reaches c within n bets) <= n/c,   mean number of bets until R reaches c >= c,
+/// after n bets is at most n. Ville's inequality for R - n then gives (Shin, Ramdas, Rinaldo, E-detectors, New England
+/// J. Stat. Data Sci. 2, 2024)
+///   P(R reaches c within n bets) <= n/c,   and a mean of at least c bets until R reaches c,
 /// however often the evidence is examined and whenever the claim changes. Repeated looks therefore need no correction,
 /// such as a significance level that they share. max(R, 1) discards bets that were lost before the effect began.
 class SequentialEvidence {
