@@ -41,8 +41,7 @@ ordered_json sharesOf(const std::vector<std::string>& names, std::size_t compone
   return shares;
 }
 
-// Returns the rank of the limits of the interval of the median, counted from 1 at either end; 0 if there are too few
-// values.
+// Returns the rank of the limits of the interval of the median, counted from either end; 0 for too few values.
 std::size_t rankOfInterval(std::size_t count) {
   const boost::math::binomial below_median(static_cast<double>(count), 0.5);
   std::size_t rank = 0;

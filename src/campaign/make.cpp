@@ -33,8 +33,7 @@ namespace fs = std::filesystem;
 std::string escaped(const std::string& text) { return std::regex_replace(text, std::regex(R"([*?[\\])"), R"(\$&)"); }
 
 // Returns the files that match the shell pattern (*, ?, [...]), relative to `folder` unless the pattern begins with a
-// slash. The paths are absolute, keep symbolic links, and are sorted by bytes, so that the order does not depend on the
-// locale.
+// slash. The paths are absolute and keep symbolic links. They are sorted by bytes, whatever the locale.
 std::vector<std::string> matchPattern(const std::string& folder, const std::string& pattern) {
   const std::string base = fs::absolute(folder.empty() ? "." : folder).lexically_normal().string();
   glob_t matches{};

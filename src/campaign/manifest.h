@@ -1,5 +1,4 @@
-// Defines the manifest, which lists the jobs of a campaign and the files that they read. Each job is one command on one
-// component and its logs.
+// Defines the manifest. It lists the jobs of a campaign, each of which is one command on one component and its logs.
 #pragma once
 
 #include <cstdint>
@@ -131,8 +130,7 @@ std::string recordPath(const std::string& folder, const std::string& id);
 /// Returns the folder of the reports of a job, relative to the folder of the campaign.
 std::string reportFolder(const std::string& id);
 
-/// Writes JSON lines: a header with the numbers of inputs and jobs, then the inputs, then the jobs. Throws
-/// std::runtime_error.
+/// Writes JSON lines: a header with the numbers of inputs and jobs, inputs, jobs. Throws std::runtime_error.
 void writeManifest(const Manifest& manifest, const std::string& folder);
 
 /// Reads a manifest. Throws std::runtime_error with the name of the file, the line and what is accepted.

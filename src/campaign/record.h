@@ -32,13 +32,11 @@ struct Record {
   bool failed() const { return !error.empty(); }
 };
 
-/// Returns the path of the report, or of its page if it has one, in the folder of the campaign; "" if there is no
-/// report.
+/// Returns the path of the report, or of its page, in the folder of the campaign. Returns "" if there is no report.
 std::string reportPath(const Record& record);
 
-/// Writes a record under a temporary name, syncs it and renames it, so that the record is never incomplete. The files
-/// of the report must exist already. A folder or pipe of the same name is renamed to *.no_record. Throws
-/// std::runtime_error.
+/// Writes a record under a temporary name, syncs it and renames it, so that it is never incomplete. The files of the
+/// report must exist already. A folder or pipe of the same name is renamed to *.no_record. Throws std::runtime_error.
 void writeRecord(const Record& record, const std::string& folder);
 
 /// Result of searching the record of a job. Both members are empty if there is no record.

@@ -23,8 +23,7 @@ struct PoolCallbacks {
   /// Called once in each worker process. Returns the function that executes a job. That function returns the error of
   /// the job, or an empty text. It throws std::bad_alloc to leave the job undone; other exceptions end the run.
   std::function<std::function<std::string(std::size_t job)>()> start_worker;
-  /// Called in this process. `reason` is the error, or for example "the process was ended by signal 11 (Segmentation
-  /// fault)".
+  /// Called in this process. `reason` is the error, or a text such as "the process was ended by signal 11 (...)".
   std::function<void(std::size_t job, JobEnd end, const std::string& reason)> ended;
   /// Called in this process several times per second with the running jobs.
   std::function<void(const std::vector<std::size_t>& running)> tick;

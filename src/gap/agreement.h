@@ -21,15 +21,14 @@ struct Agreement {
   std::optional<double> simulated_energy;
   Iso18571 iso18571;  ///< computed at even time steps; stretches between time gaps are joined
 
-  /// Returns the error of the energy per cycle, divided by the measured energy [-]. Returns nullopt if no energy was
-  /// dissipated.
+  /// Returns the relative error of the energy per cycle [-], or nullopt if no energy was dissipated.
   std::optional<double> energyError() const;
 };
 
 /// Compares the measured force of a log with a simulated one, from the sample `first` on. Samples without a measured
 /// force are left out; for the energy and ISO 18571, their force is interpolated. Throws std::invalid_argument if the
-/// numbers of values differ, fewer than two samples remain, a simulated force is too large, or the measured force does
-/// not change.
+/// numbers of values differ, fewer than two samples remain, a simulated force is too large, or no measured force
+/// varies.
 Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated, std::size_t first = 0);
 
 /// Limits of an agreement. Limits that are not set are not checked.

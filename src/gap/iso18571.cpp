@@ -110,9 +110,8 @@ Correlations correlate(const Signal& first, const Signal& second, Index most) {
   return result;
 }
 
-// Returns the shift of the simulated signal with the largest correlation; a positive shift is to the left. If several
-// shifts are equal within the rounding of transforms, returns the smallest shift, and if two are equally small, the
-// left.
+// Returns the shift of the simulated signal (positive to the left) with the largest correlation. If several shifts are
+// equal within the rounding of transforms, returns the smallest of them, and rather a left than a right one.
 Index bestShift(const Signal& measured, const Signal& simulated) {
   constexpr double kRounding = 1e-9;
   const auto most = static_cast<Index>(std::floor(kLargestShift * static_cast<double>(measured.size())));

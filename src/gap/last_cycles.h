@@ -14,8 +14,7 @@ std::vector<std::size_t> meanCrossings(const log::Log& log);
 /// Returns the mean frequency of the motion [Hz]: half the number of meanCrossings() divided by the duration.
 double meanFrequency(const log::Log& log);
 
-/// Returns the first sample of the last `cycles` at this frequency. Returns 0 if the log is shorter or the frequency is
-/// 0.
+/// Returns the first sample of the last `cycles` at this frequency; 0 if the log is shorter or the frequency is 0.
 std::size_t firstOfLastCycles(const log::Log& log, double frequency, double cycles);
 
 }  // namespace rubber_suspension::gap

@@ -9,9 +9,8 @@
 namespace rubber_suspension::gap {
 namespace {
 
-// Millimetres instead of metres are a factor of 1000. This limit, about 3 sqrt(1000), detects a log in millimetres
-// whose amplitude is more than a tenth of that of the component. It accepts a log in metres with thirty times this
-// amplitude.
+// Millimetres instead of metres are a factor of 1000. This limit, about 3 sqrt(1000), detects a log in millimetres with
+// more than a tenth of the amplitude of the component, and accepts a log in metres with thirty times this amplitude.
 constexpr double kOddFactor = 100.0;
 
 // Longer than any travel of a rubber spring [m]. Used for components that state no length at all.

@@ -18,13 +18,12 @@ MotionScale motionScaleOf(const io::ComponentDescription& description);
 /// Describes an odd amplitude [m] for a component as "5 m is 2500 times ...". Returns nullopt if it is not odd.
 std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale);
 
-/// Describes a log that is odd for a component. If the measured force varies, compares the stiffness of the log with
-/// that of the component, whose force for the same displacements is `force` [N]. Otherwise checks the amplitude.
-/// Returns nullopt if the log is not odd.
+/// Describes a log that is odd for a component, or returns nullopt. If the measured force varies, compares the
+/// stiffness of the log with that of the component, whose force for the same displacements is `force` [N]. Otherwise
+/// checks the amplitude.
 std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale);
 
-/// Does the same without a simulation. Uses the static force of the component at the largest and the smallest
-/// displacement of the log.
+/// Does the same with the static force of the component at the largest and the smallest displacement of the log.
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
 
 /// Describes the part of a log beyond the displacements for which a component is valid. Returns nullopt if there is no

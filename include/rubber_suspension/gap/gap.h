@@ -21,13 +21,12 @@ double standardDeviation(const Eigen::VectorXd& values);
 /// Returns the gap of a residual [N], given the standard deviation of the measured force [N].
 double gapOfResidual(const Eigen::VectorXd& residual, double standard_deviation);
 
-/// Returns the part of a gap above a noise floor, sqrt(gap^2 - floor^2), or 0 if the gap is below the floor. All are
-/// [-].
+/// Returns the part of a gap above a noise floor [-]: sqrt(gap^2 - floor^2), or 0 if the gap is below the floor.
 double residualAboveFloor(double gap, double floor);
 
 /// Returns (before - after) / (before - floor), the share of the gap above the noise floor that a better model closes.
-/// The result is limited to -1 and kMostClosed; it is negative if the model increases the gap, and 0 if there is
-/// nothing to close.
+/// The result is limited to -1 and kMostClosed. It is negative if the gap increases, and 0 if there is nothing to
+/// close.
 double closedFraction(double before, double after, double floor);
 
 /// Upper limit of closedFraction(). It is greater than 1 because the floor may be overestimated.
@@ -43,8 +42,7 @@ struct PartError {
 /// Returns the gap over all parts, the square root of the weighted mean of their errors.
 double gapOfParts(const std::vector<PartError>& parts);
 
-/// Columns of the fit parameters of a single log, one value per sample, and the penalty on the squares of the
-/// parameters.
+/// Columns of the fit parameters of a single log, one row per sample, and the penalties on the squared parameters.
 struct OwnUnknowns {
   Eigen::MatrixXd columns;
   Eigen::VectorXd penalty;

@@ -24,8 +24,8 @@ constexpr Eigen::Index kWarpedWhole = 10000;
 /// Rates a simulated signal. Both signals have the same even time steps and the same length. Signals longer than
 /// `warped_whole` are warped in equal blocks of at most 2,000 samples, because the work of warping grows with the
 /// square of the length; all other ratings use the whole signal. A simulated signal that is not finite is rated 0.
-/// Throws std::invalid_argument if the lengths differ, there are fewer than two samples, or the measured signal is
-/// constant or not finite.
+/// Throws std::invalid_argument if lengths differ or are less than two, or if the measured signal is constant or not
+/// finite.
 Iso18571 rateIso18571(const Eigen::VectorXd& measured, const Eigen::VectorXd& simulated,
                       Eigen::Index warped_whole = kWarpedWhole);
 

@@ -31,9 +31,7 @@ struct LiveSettings {
   LiveCriteria criteria;
 };
 
-/// The judgement, and the findings of the newest look. While an effect is named, they are those of the newest look with
-/// an
-/// effect.
+/// The judgement, and the findings of the newest look, or of the newest look with an effect while an effect is named.
 struct LiveFindings {
   LiveVerdict now;
   std::vector<double> probabilities;    ///< probabilities of the effects of the look, in their order
@@ -53,10 +51,8 @@ struct LiveFindings {
 /// split into several logs. The component that a look proposes is then simulated as well, and judged on the following
 /// blocks (LiveJudgement). The state at the beginning of a window is unknown. In the diagnosis, the priors of the rig
 /// account for it; each proposed model is simulated through the whole window before its errors count.
-///
-/// An offset or a drift of the force may be caused by the load cell. The errors of a block are therefore computed
-/// without
-/// their mean.
+/// An offset or a drift of the force may come from the load cell, so that errors of blocks are computed without their
+/// mean.
 class LiveDiagnosis {
  public:
   /// Throws std::invalid_argument if the component has no solution.

@@ -45,7 +45,7 @@ class SequentialEvidence {
   double threshold() const { return threshold_; }
   bool isReached() const { return value_ >= threshold_; }
 
-  /// The stake b = 2 p - 1, with which the capital grows fastest if an effect wins a share p = 0.9 of the blocks
+  /// b = 2 p - 1, the stake with which the capital grows fastest if an effect wins a share p = 0.9 of the blocks
   /// (Kelly, Bell Syst. Tech. J. 35, 1956).
   static constexpr double kBet = 0.8;
 
@@ -60,8 +60,7 @@ struct Look {
   std::vector<std::string> effects;  ///< named effects
 };
 
-/// Errors on a block that no look has used: standard deviation of the measured minus the simulated force [N]. An error
-/// is NaN if there is no such model.
+/// Standard deviations of measured minus simulated force on a block that no look has used [N]; NaN without the model.
 struct BlockErrors {
   std::int64_t begin = 0;  ///< stamp of the first sample in the block [ns]
   double force = 0.0;      ///< standard deviation of the measured force [N]

@@ -53,8 +53,7 @@ double standstillOf(const std::vector<double>& motion) {
   return kMoves * *std::max_element(motion.begin(), motion.end());
 }
 
-// Returns the indices of up to `count` windows in ascending order. The first window and the window with the largest
-// motion have priority.
+// Returns up to `count` indices in ascending order. The first window and that of the largest motion have priority.
 std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t largest, std::size_t count) {
   const double least = standstillOf(motion);
   std::vector<std::size_t> chosen;

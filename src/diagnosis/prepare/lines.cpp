@@ -176,8 +176,7 @@ class BlockSpectra {
   ArrayXd power_;             // mean squared amplitude at each frequency, averaged over the blocks
 };
 
-// Returns the smallest k for which k times `base` appears at this frequency, directly or as an alias; 0 if there is
-// none.
+// Returns the smallest k for which k times `base` appears at this frequency, directly or as an alias, or else 0.
 template <class Tolerance>
 int multipleAt(double frequency, double base, double step, int highest, Tolerance tolerance) {
   for (int k = 1; k <= highest; ++k) {

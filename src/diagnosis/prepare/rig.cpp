@@ -93,8 +93,7 @@ void addValues(const io::RigTolerances& tolerances, const Records& records, cons
   }
 }
 
-// The initial state of Berg friction depends on the motion before the log. The friction may therefore offset the force
-// by up to its maximum.
+// The state in which Berg friction starts depends on earlier motion, so that it may offset the force by its maximum.
 Limits limitsBy(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                 const Records& training, const Records& held_out) {
   std::vector<double> zeros;
@@ -138,8 +137,7 @@ Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& l
   return columns.leftCols(used + starts.cols() + slow.cols());
 }
 
-// Returns the tolerance of an offset of the displacement [m]. Returns 0 for an excerpt, because all excerpts of a log
-// have the same offset.
+// Returns the tolerance of an offset of the displacement [m], or 0 for an excerpt, whose log has one offset throughout.
 double zeroOfDisplacement(const log::Record& record, const io::RigTolerances& tolerances) {
   const double range = record.displacement.maxCoeff() - record.displacement.minCoeff();
   return record.lead_in.displacement.empty() ? tolerances.displacement_zero.of(range) : 0.0;

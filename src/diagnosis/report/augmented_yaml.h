@@ -7,8 +7,7 @@
 
 namespace rubber_suspension::diagnosis::report {
 
-/// Returns the style of WrittenLaw::augmented: rounded numbers, with intervals as comments. Keeps a reference to
-/// `diagnosis`.
+/// Returns the style of WrittenLaw::augmented: rounded numbers with intervals as comments. Refers to `diagnosis`.
 io::YamlStyle augmentedStyle(const Diagnosis& diagnosis);
 
 /// Returns WrittenLaw::augmented as YAML, with the origin, the gaps and the interval of each number as comments.

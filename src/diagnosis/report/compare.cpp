@@ -130,16 +130,14 @@ std::string effectsOf(const Diagnosis& d) {
   return d.answer.effects.empty() ? "none" : words::enumerated(d.answer.effects);
 }
 
-// A frequency band, amplitude band and quantity in which a part of the gap lies. Logs are not distinguished, because
-// their names differ from day to day.
+// Where a part of the gap lies: frequency band, amplitude band and quantity. The names of logs differ from day to day.
 using Place = std::tuple<double, double, double, double, std::string>;
 
 // Returns the part of the gap as configured in each place, divided by the standard deviation of the force.
 std::map<Place, double> placesOf(const Diagnosis& d) {
   std::map<Place, double> squares;
   for (const gap::GapCell& cell : d.where.before) {
-    // The band of mean and drift ends at half of the sampling rate, which depends on the recorder. It is therefore
-    // ignored.
+    // The band of mean and drift is ignored: it ends at half of the sampling rate, which depends on the recorder.
     const std::array<double, 2> band = cell.frequency[0] <= 0.0 ? std::array<double, 2>{} : cell.frequency;
     squares[{band[0], band[1], cell.amplitude[0], cell.amplitude[1], toString(cell.quantity)}] +=
         cell.share * d.gaps.unseen.as_configured * d.gaps.unseen.as_configured;

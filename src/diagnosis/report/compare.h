@@ -9,12 +9,10 @@ namespace rubber_suspension::diagnosis::report {
 
 class EarlierReport {
  public:
-  /// Reads the report. Throws std::runtime_error if it cannot be read or is no report of `diagnose`. The message is one
-  /// line that begins with the path.
+  /// Reads the report. Throws std::runtime_error if the file cannot be read or is no report of `diagnose`.
   explicit EarlierReport(const std::string& path);
   /// Compares verdict, gaps, sizes, findings about the rig and where the gap lies. Two sizes or findings differ if
-  /// their 95 % intervals do not overlap. Two gaps, or two parts of the gap, differ by more than the sum of both noise
-  /// floors.
+  /// their 95 % intervals do not overlap. Two gaps, or parts of it, differ by more than the sum of both noise floors.
   Comparison compare(const Diagnosis& diagnosis) const;
 
  private:

@@ -85,8 +85,7 @@ Eigen::Index widestStretch(const log::Record& record, Eigen::Index count) {
   return best;
 }
 
-// Where the curves coincide, both remain visible: the measured curve is broad, and the simulated one is thin and above
-// it.
+// Where the curves coincide, both remain visible: the simulated curve is thin and lies above the broad measured one.
 constexpr double kBroad = 3.0;
 constexpr double kThin = 1.0;
 
@@ -141,8 +140,7 @@ io::Figure benchFigure(const Diagnosis& diagnosis) {
   return figure;
 }
 
-// Returns the cells at frequencies that the logs excite, without mean and drift. If the band is not known, all cells
-// count.
+// Returns the cells at frequencies that the logs excite (all, if these are not known), without mean and drift.
 std::vector<gap::GapCell> mappedCells(const Diagnosis& diagnosis) {
   const std::array<double, 2> band = excitedBand(diagnosis);
   return element::those(diagnosis.where.before, [&](const gap::GapCell& cell) {
@@ -205,8 +203,7 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
   return figure;
 }
 
-// Returns the gap of successive stretches of all logs. A stretch is a cycle, or longer to limit the number of
-// stretches.
+// Returns the gap of successive stretches of all logs. A stretch is at least a cycle.
 io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorXd>& simulated,
                         const std::string& label, const std::string& style, int colour) {
   constexpr Eigen::Index kMostStretches = 60;  // in a log

@@ -27,10 +27,9 @@ struct ReportFigure {
   io::Figure figure;  ///< has a short title; a figure without axes shows nothing
 };
 
-/// Returns loops, the map of the gap, the residual over displacement and the gap over time. Held-out logs come first,
-/// then the others in descending order of their gap. With a surrogate, a map of the missing force is added. For the
-/// verdict check_bench, returns the loops of the logs as recorded and with the proposed correction. The list may be
-/// empty.
+/// Returns loops, the map of the gap, the residual over displacement and the gap over time, for the held-out logs first
+/// and then for the others in descending order of their gap. With a surrogate, adds a map of the missing force. For the
+/// verdict check_bench, returns the loops of the logs as recorded and as corrected. The list may be empty.
 std::vector<ReportFigure> reportFigures(const Diagnosis& diagnosis);
 
 /// Returns the figures of a report on a table: stiffness, where the gap lies, and loss angle.

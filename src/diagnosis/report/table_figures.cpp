@@ -1,5 +1,4 @@
-// Computes the figures of a report on a table: stiffness and loss angle, measured and simulated, and where the gap
-// lies.
+// Computes the figures of a report on a table: measured and simulated stiffness and loss angle, and the map of the gap.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -44,8 +44,7 @@ std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Ga
 io::ComponentDescription withSome(const io::ComponentDescription& configured, const WrittenLaw& law,
                                   const std::vector<std::string>& effects, const std::vector<bool>& in);
 
-/// Returns the ratios of the re-estimated to the configured parameters, and the deviations of the judged model from the
-/// data sheet.
+/// Returns the re-estimated ratios of the parameters, and the deviations of the judged model from the data sheet.
 OwnParameters ownParameters(const fit::ModelParameters& model, const Eigen::VectorXd& re_estimated,
                             const Eigen::VectorXd& judged);
 

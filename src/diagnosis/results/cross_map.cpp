@@ -107,9 +107,8 @@ Eigen::Index addMoments(const log::Log& own, const log::Log& other, const Scales
   return rows;
 }
 
-// Returns the squared error of predicting the residual of a fold by the first `count` basis functions. Their
-// coefficients
-// are fitted to the other folds.
+// Returns the squared error of predicting the residual of a fold by the first `count` basis functions, whose
+// coefficients are fitted to the other folds.
 double errorOn(const Moments& fold, const Moments& all, Eigen::Index count) {
   const Moments others = all - fold;
   const Eigen::VectorXd x = numerics::solveLeastNorm(Eigen::MatrixXd(others.topLeftCorner(count, count)),

@@ -54,8 +54,7 @@ double repeatsOf(const log::Record& record) {
   return best;
 }
 
-// `noise` is the noise floor divided by the standard deviation of the force. `account` states what was removed from the
-// log.
+// `noise` is the noise floor as a gap. `account` states what was removed from the log.
 Admission admit(const log::Record& record, bool hold_out, double noise, const LogAccount& account) {
   Admission admission;
   admission.log = record.name;
@@ -286,8 +285,7 @@ class Describer {
 
   Left leftByModels() const { return {gapOfModels(), law_.gap_of_full, gapsAlone(), scoresOfTheFile()}; }
 
-  // Returns the errors of the model with some values and effects; these errors are in-sample if there are no unseen
-  // logs.
+  // Returns the errors of the model with some values and effects, in-sample if there are no unseen logs.
   std::vector<gap::PartError> errorsWith(const std::vector<std::string>& effects, const std::vector<bool>& in) const {
     const auto elements = withSome(prepared_.component, law_, effects, in).allElements();
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();
@@ -306,9 +304,8 @@ class Describer {
     return hypotheses::partErrorsOf(freed, records, simulated(elements));
   }
 
-  // Returns the gaps of the configured, re-estimated and augmented component and of the surrogate on the logs as
-  // recorded,
-  // including all errors of the rig.
+  // Returns the gaps of all models on the logs as recorded, which include all errors of the rig: configured,
+  // re-estimated, augmented, and with the surrogate.
   std::vector<double> gapsAsRecorded(const std::vector<prepare::LogSurvey>& logs,
                                      const std::optional<Surrogate>& surrogate) const {
     std::vector<std::vector<element::ElementDescription>> models = {

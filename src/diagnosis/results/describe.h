@@ -8,9 +8,8 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Returns the numbers of a judged search, without sentences and without the next experiment. `recorded` are the logs
-/// on which gaps as recorded are computed, `raw` the channels of each record, and `findings` the errors of the rig that
-/// were found in single samples.
+/// Returns the numbers of a judged search, without sentences and the next experiment. `recorded` are the logs for gaps
+/// as recorded, `raw` the channels of each record, and `findings` the errors of the rig that single samples have shown.
 Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
                    const std::vector<prepare::LogSurvey>& recorded, const std::vector<prepare::RawChannels>& raw,
                    std::vector<measurement::RigFinding> findings, const DiagnosisOptions& options);

@@ -14,9 +14,8 @@ namespace rubber_suspension::diagnosis::results {
 
 using Entries = std::vector<element::ElementDescription>;
 
-/// Position of a number in a list of entries. A fit varies the logarithm of the ratio of the number to its start, so
-/// that
-/// the sign cannot change.
+/// Position of a number in a list of entries. A fit varies the logarithm of its ratio to the start, which keeps the
+/// sign.
 struct NumberPlace {
   std::size_t entry = 0;
   std::string key;
@@ -27,8 +26,7 @@ struct NumberPlace {
 /// an option or state a reference are not varied, and neither are values at an end of their range.
 std::vector<NumberPlace> numbersOf(const Entries& entries);
 
-/// Law of one member of a hypothesis, that is, of one of its effects. It consists of basis terms, or of entries whose
-/// numbers are free.
+/// Law of one effect of a hypothesis (a member). It consists of basis terms, or of entries whose numbers are free.
 struct MemberLaw {
   int member = 0;                     ///< index among the candidates
   std::vector<fit::BasisTerm> terms;  ///< empty if the law consists of `start`
@@ -38,8 +36,7 @@ struct MemberLaw {
 
   std::size_t size() const { return terms.empty() ? numbersOf(start).size() : terms.size(); }
 
-  /// Returns the entries of the law with these scales of its terms, or with these logarithms of the ratios of its
-  /// numbers.
+  /// Returns the entries with these scales of the terms, or with these logarithms of the ratios of the numbers.
   Entries at(const Eigen::VectorXd& scales) const;
 };
 

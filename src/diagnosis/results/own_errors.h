@@ -1,5 +1,4 @@
-// Finds gains and offsets that differ between logs. They are errors of the rig, which do not belong in a component
-// file.
+// Finds gains and offsets that differ between logs. They are errors of the rig and do not belong in a component file.
 #pragma once
 
 #include <vector>
@@ -15,8 +14,8 @@ std::vector<bool> unlikeMost(const std::vector<double>& values, double alike);
 
 /// Returns the errors of single logs if the judged hypothesis fits a gain or an offset to each log: the gain of logs
 /// that differ from most, and the offset of all logs. The logs of the fit come first, then those held out. Returns an
-/// empty list if the hypothesis fits neither, or if the logs already have all of these errors; a repeated search then
-/// ends.
+/// empty list if the hypothesis fits neither, or if the logs already have all of these errors, which ends a repeated
+/// search.
 std::vector<gap::OwnErrors> ownErrors(const hypotheses::PreparedCase& prepared,
                                       const hypotheses::FittedHypothesis& judged);
 

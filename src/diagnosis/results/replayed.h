@@ -25,8 +25,8 @@ Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted);
 
 /// Returns the errors of a fitted law that is written as these elements, on the logs of the fit and on the held-out
 /// logs. On a log of the fit, they are the cross-validated errors plus the excess of the error of `replay` over that of
-/// the fitted forces. This excess is due to noise of the displacement and to future samples, which a simulation does
-/// not have.
+/// the fitted forces. The causes of this excess are noise of the displacement and future samples, which a simulation
+/// does not have.
 Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
                   const std::vector<gap::PreparedRecord>& held_out);
 
@@ -37,9 +37,8 @@ std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const Fitted
 /// States whether all logs were recorded on one component, which relaxes between them, or each log on a new one.
 enum class Recorded { on_one_component, each_on_a_new_one };
 
-/// Returns the gap of each list of elements on whole logs as `replay` computes it at even time steps: the RMS of the
-/// gaps of all logs. Reads each log once, block by block. Throws LogError if a log has no force or has become shorter
-/// since its survey.
+/// Returns the gap of each list of elements on whole logs as `replay` computes it: the RMS of the gaps of all logs.
+/// Reads each log once, block by block. Throws LogError if a log has no force or has become shorter since its survey.
 std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementDescription>>& models,
                                  const std::vector<prepare::LogSurvey>& logs, Recorded recorded, int threads);
 

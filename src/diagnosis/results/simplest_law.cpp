@@ -285,9 +285,9 @@ class Chooser {
   }
 
   // Returns true if the exact term is kept instead of a fitted element. The force of an exact term (BasisTerm::exact)
-  // is computed from later samples as well. Its element, such as a mass, can use past samples only, and its refitted
-  // number compensates for that. The exact term is kept if it removes more than half of the squared error that the
-  // element removes.
+  // is computed from later samples as well. Its element, such as a mass, cannot use these, and its refitted number
+  // compensates for that. The exact term is kept if it removes more than half of the squared error that the element
+  // removes.
   bool isExactEnough(std::size_t m, double gap_of_fitted) const {
     return hasExactForce(m) && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
   }
@@ -303,9 +303,8 @@ class Chooser {
     return std::exp(logWeight(other) - logWeight(chosen));
   }
 
-  // Returns true if the larger law, which has the same element, reduces the squared gap by more than the squared
-  // accepted error per additional number. The numbers of the smaller law are then wrong, because they compensate for
-  // what it lacks.
+  // Returns true if the larger law of the same element reduces the squared gap by more than the squared accepted error
+  // per additional number. The smaller law then has wrong numbers, because they compensate for what it lacks.
   static bool tellsMore(std::size_t m, const Allowed& larger, const Allowed& smaller) {
     const Entries& of_larger = larger.law.law.members[m].start;
     const Entries& of_smaller = smaller.law.law.members[m].start;

@@ -10,14 +10,14 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Returns the judged hypothesis as a law. Of each effect, it has the terms with a scale other than 0, but at least
-/// one.
+/// Returns the judged hypothesis as a law. Each effect keeps its terms with a scale other than 0, but at least one
+/// term.
 FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged);
 
 struct SimplestLaw {
   FittedLaw fitted;
-  /// Other laws whose gap is small enough: the simplest of each other kind, and the full law. Their odds follow from
-  /// their errors.
+  /// Other laws with a small enough gap, with odds from their errors: the simplest of each other kind, and the full
+  /// law.
   std::vector<WeighedLaw> others;
   /// RMS form error of each effect, divided by the standard deviation of the force.
   std::vector<double> form_error;
@@ -27,9 +27,9 @@ struct SimplestLaw {
 /// gap exceeds that of the full law by at most delta^2 plus the sum of (eta A)^2 over the effects simplified so far.
 /// Here, A is the RMS force that an effect adds, eta the form error of laws, and delta the accepted error
 /// (JudgeNumbers). Second, it closes at least half of the squared gap that the full law closes; `before` is the gap
-/// without the law. An effect for which no law satisfies them keeps its terms, and so does a single exact term that
-/// closes more than half of what its element could. Laws are one to three terms of one kind, from the candidate and its
-/// `laws`. Gaps are those of `replay` on the held-out logs, or on held-out blocks if there are no such logs
+/// without the law. An effect for which no law satisfies both conditions keeps its terms, and so does a single exact
+/// term that closes more than half of what its element could. Laws are one to three terms of one kind, from the
+/// candidate and its `laws`. Gaps are those of `replay` on the held-out logs, or on held-out blocks if there are none
 /// (replayed.h).
 SimplestLaw simplestLaw(const fit::Fitter& fitter, const std::vector<fit::Candidate>& candidates,
                         const hypotheses::FittedHypothesis& judged, const std::vector<gap::PreparedRecord>& held_out,

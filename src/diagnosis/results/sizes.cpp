@@ -183,8 +183,7 @@ class Resampling {
     }
   }
 
-  // Draws prior values of the model from their distributions, so that numbers that no log determines keep their prior
-  // uncertainty.
+  // Draws prior values of the model, so that numbers that no log determines keep their prior uncertainty.
   void moveKnown(Eigen::MatrixXd& sum) {
     const Eigen::MatrixXd slopes = fitter_.model().departureSlopes(fitted_.fit.parameters.model);
     std::normal_distribution<double> normal;

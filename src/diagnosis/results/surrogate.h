@@ -1,5 +1,4 @@
-// Tests whether the residual force is a function of the motion, fits a surrogate that reproduces it, and maps it over
-// displacement and velocity.
+// Tests whether the residual force is a function of the motion, fits a surrogate to it, and maps it over the motion.
 #pragma once
 
 #include <vector>

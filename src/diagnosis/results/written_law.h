@@ -24,8 +24,7 @@ MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const hypothese
 /// is exact. Other numbers are rounded to a tenth of half their interval, or with `finer` more digits.
 std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::ComponentDescription& component, int finer);
 
-/// Returns the component that a file with these texts describes. Throws std::invalid_argument if a number is out of its
-/// range.
+/// Returns the component in a file with these texts. Throws std::invalid_argument if a number is out of its range.
 io::ComponentDescription asWritten(const io::ComponentDescription& exact, const std::vector<SizedValue>& written);
 
 }  // namespace rubber_suspension::diagnosis::results

@@ -28,8 +28,7 @@ const SizedValue* headlineValue(const Diagnosis& diagnosis);
 /// configured) and a loss angle of 5.1° (4.2°)." Returns an empty text if these values are not known.
 std::string wholeText(const Diagnosis& diagnosis);
 
-/// Returns the symbol of a value on the data sheet, such as "K_n", or its element and name, such as "maxwell 3
-/// stiffness".
+/// Returns the symbol of a value on the data sheet ("K_n"), or its element and name ("maxwell 3 stiffness").
 std::string valueName(const SizedValue& size);
 
 /// Returns a text such as "K_n is 19 % too low in the component file (3.4 kN/mm instead of 4.2 kN/mm)".

@@ -89,8 +89,7 @@ bool isWithheld(const Diagnosis& diagnosis, const std::string& effect) {
 
 bool writesAnEffect(const Diagnosis& diagnosis) { return !diagnosis.law.added_for.empty() || diagnosis.table; }
 
-// Returns " Friction is not written: with it, the gap of the component file would be 3.10 % on log sweep, but it is
-// 2.40 % as configured."
+// Returns " Friction is not written: with it, the gap of the component file would be 3.10 % on log sweep, ...".
 std::string withheldNote(const Diagnosis& diagnosis) {
   std::string note;
   for (const Withheld& one : diagnosis.law.withheld) {
@@ -241,8 +240,7 @@ std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects
          sharesText(diagnosis);
 }
 
-// Returns " Deviations in tolerances of the data sheet: K_st -1.2, K_n +2.3.", omitting deviations below half a
-// tolerance.
+// Returns " Deviations in tolerances of the data sheet: K_st -1.2, K_n +2.3.", for deviations of at least 0.5.
 std::string deviationsText(const Diagnosis& diagnosis) {
   constexpr double kWorthSaying = 0.5;
   std::vector<std::string> texts;

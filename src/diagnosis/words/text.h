@@ -56,8 +56,7 @@ std::string rangeText(const std::array<double, 2>& band, double factor);
 /// Returns "dynamic stiffness" for dynamic_stiffness.
 std::string spoken(const std::string& name);
 
-/// Returns the label of a value, such as "maximum force"; "gap in tension:" has a colon because it is for one side
-/// only.
+/// Returns the label of a value, such as "maximum force", or with a colon if it is for one side: "gap in tension:".
 std::string labelOf(const std::string& name);
 
 /// Returns the name that stands in front of a size: the label that its effect defines (Effect::labels), or labelOf().
