@@ -45,7 +45,6 @@ ordered_json valuesOf(const Job& job, const Record* record) {
   return values;
 }
 
-// Returns the columns that precede the values of a job.
 ordered_json headOf(const Manifest& manifest, const Job& job, const Record* record) {
   const auto name_of = [&](std::size_t log) {
     return std::filesystem::path(manifest.inputs[log].path).stem().string();

@@ -83,7 +83,6 @@ bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
          d.answer.verdict != Verdict::unknown && (d.answer.effects.empty() || other_values_do);
 }
 
-// Adds the logarithm of the ratio if it is finite and positive.
 void addChange(const std::string& name, double ratio, Findings& findings) {
   if (std::isfinite(ratio) && ratio > 0.0) {
     findings.changes[name] = std::log(ratio);

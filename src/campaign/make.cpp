@@ -343,7 +343,6 @@ class Maker {
     }
   }
 
-  // Adds one job for all logs, or one job per log.
   void addJobs(const JobGroup& group, const Job& job) {
     if (group.command != Command::replay && !group.one_job_per_log) {
       addJob(job);

@@ -12,7 +12,6 @@
 
 namespace rubber_suspension::campaign {
 
-/// The command that a job executes.
 enum class Command {
   diagnose,
   estimate,  ///< estimate --from-log

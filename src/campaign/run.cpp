@@ -57,7 +57,6 @@ class RunProgress {
   std::size_t done_ = 0;
 };
 
-// Returns the jobs of the shard that have to be run.
 std::vector<std::size_t> jobsToDo(const Manifest& manifest, const std::string& folder, const RunOptions& options,
                                   const Say& say, RunSummary& summary) {
   const std::vector<std::size_t> distinct = manifest.distinctJobs();

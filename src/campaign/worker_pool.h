@@ -11,7 +11,6 @@
 
 namespace rubber_suspension::campaign {
 
-/// Outcome of a job.
 enum class JobEnd : char {
   done,
   failed,  ///< the worker reported an error

@@ -40,7 +40,6 @@ struct AgreementLimits {
   std::optional<double> iso18571;  ///< lower limit of the total rating [-]
 };
 
-/// An agreement with its direction and limits.
 struct ComparedForce {
   std::string direction;  ///< x to rz; empty for a component with one direction
   Agreement agreement;

@@ -102,9 +102,7 @@ class LiveDiagnosis::Model {
   component::SampleStream stream_;
 };
 
-/// Sums over a block that is not complete yet.
 struct LiveDiagnosis::Block {
-  /// Computes the standard deviation of the values in a block.
   class Spread {
    public:
     void add(double value) {

@@ -54,7 +54,6 @@ class SequentialEvidence {
   double value_ = 1.0;
 };
 
-/// Result of the diagnosis of one window.
 struct Look {
   Verdict verdict = Verdict::none;
   std::vector<std::string> effects;  ///< named effects
@@ -78,7 +77,6 @@ struct LiveCriteria {
   double threshold() const { return 3600.0 * hours_between_false_names / block; }
 };
 
-/// The current judgement.
 struct LiveVerdict {
   std::optional<Verdict> verdict;  ///< empty as long as there is no verdict
   std::vector<std::string> effects;
@@ -86,7 +84,6 @@ struct LiveVerdict {
   double evidence = 1.0;              ///< value of SequentialEvidence
   double threshold = 0.0;
 
-  /// Returns true if a gap is reported.
   bool isGap() const { return verdict && *verdict != Verdict::none; }
 };
 

@@ -19,7 +19,6 @@ struct ComparedLog {
   Eigen::VectorXd simulated;
 };
 
-/// A log with a fatal finding.
 struct CheckedLog {
   ComparedLog as_recorded;
   std::string correction;  ///< text of the correction that the finding proposes; empty if it proposes none

@@ -77,7 +77,6 @@ std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t l
   return chosen;
 }
 
-// Merges adjacent windows.
 std::vector<Window> joined(const std::vector<Window>& windows, const std::vector<std::size_t>& chosen) {
   std::vector<Window> result;
   for (const std::size_t place : chosen) {

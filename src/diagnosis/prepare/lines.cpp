@@ -188,7 +188,6 @@ int multipleAt(double frequency, double base, double step, int highest, Toleranc
   return 0;
 }
 
-// A log that is searched for lines.
 struct LineLog {
   LineLog(const log::Record& log, const VectorXd& simulated)
       : record(log),

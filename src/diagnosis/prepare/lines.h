@@ -10,7 +10,6 @@
 
 namespace rubber_suspension::diagnosis::prepare {
 
-/// Spectral lines that the rig adds to the force.
 struct RigLines {
   std::vector<measurement::RigFinding> findings;
   std::vector<Eigen::VectorXd> forces;  ///< sum of all lines in each log [N]; empty for a log without lines

@@ -68,7 +68,6 @@ struct LogSurvey {
 /// range of the component's temperature shifts.
 LogSurvey surveyLog(std::shared_ptr<const log::LogSource> source, const component::Component& component);
 
-/// Surveys all logs, in up to `threads` threads.
 std::vector<LogSurvey> surveyLogs(const log::LogSources& sources, const component::Component& component, int threads);
 
 /// Reads the samples of a surveyed log again. Throws LogError if the log has become shorter since the survey.

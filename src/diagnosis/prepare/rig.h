@@ -14,7 +14,6 @@ namespace rubber_suspension::diagnosis::prepare {
 /// Source of the scatter of offsets and delays: the logs, or for simulated logs the tolerances.
 enum class RigScatter { as_found, as_tolerated };
 
-/// Logs of a diagnosis together with the possible errors of their rig.
 struct LogsOfRig {
   std::vector<gap::PreparedRecord> training;
   std::vector<gap::PreparedRecord> held_out;

@@ -25,7 +25,6 @@ using nlohmann::json;
 constexpr const char* kReportSchema = "rubber_suspension/gap_report/1";
 constexpr std::size_t kLargestReport = 16UL * 1024 * 1024;  // bytes; a report on six logs has about 0.1 MB
 
-// A value and its interval in a report.
 struct Measured {
   double value = 0.0;
   std::array<double, 2> interval{};
@@ -36,7 +35,6 @@ double numberOf(const json& value) { return value.is_number() ? value.get<double
 
 std::array<double, 2> pairOf(const json& pair) { return {numberOf(pair.at(0)), numberOf(pair.at(1))}; }
 
-// Returns a list of sizes in an earlier report.
 std::vector<SizedValue> readSizes(const json& report, const char* list) {
   return element::each(report.value(list, json::array()), [](const json& entry) -> SizedValue {
     return {entry.at("owner"),

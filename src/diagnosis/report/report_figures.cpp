@@ -258,7 +258,6 @@ io::Axes missingAxes(const MissingForce& map, const std::vector<double>& force, 
   return axes;
 }
 
-// Returns maps of the missing force and of the force of the surrogate.
 io::Figure missingForceFigure(const MissingForce& map) {
   io::Figure figure;
   figure.title = "Force that the model lacks, over displacement and velocity";

@@ -57,10 +57,8 @@ std::string figureCsv(const io::Figure& figure);
 /// Returns a description of the figure. The numbers of the figure are in its file.
 nlohmann::ordered_json figureJson(const ReportFigure& figure);
 
-/// Returns the name of the file with the numbers of a figure.
 std::string figureDataFile(const std::string& name);
 
-/// Returns the names of the files of all figures.
 std::vector<std::string> figureDataFiles();
 
 }  // namespace rubber_suspension::diagnosis::report

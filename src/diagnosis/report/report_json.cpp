@@ -131,7 +131,6 @@ ordered_json rowJson(const DiagnosedRow& row) {
   return json;
 }
 
-// Returns every hypothesis that was fitted, with its held-out error.
 ordered_json hypothesesJson(const hypotheses::Search& search) {
   ordered_json result = ordered_json::array();
   const auto add = [&](const hypotheses::FittedHypothesis& fitted) {
@@ -267,7 +266,6 @@ ordered_json lawInWords(const Diagnosis& d) {
   return rows;
 }
 
-// Returns the values of the component file that change.
 ordered_json changedInWords(const Diagnosis& d) {
   const auto changed =
       element::those(d.law.model_sizes, [](const SizedValue& size) { return size.value != size.configured; });

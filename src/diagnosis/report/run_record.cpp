@@ -34,7 +34,6 @@ std::time_t secondsSince1970() {
   return static_cast<std::time_t>(seconds);
 }
 
-// Quotes an argument for a POSIX shell.
 std::string shellQuoted(const std::string& argument) {
   const char* const plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
   if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) {

@@ -243,7 +243,6 @@ class Describer {
                            : gap::simulate(elements, recordsOfGap(), gap::asRecorded);
   }
 
-  // Returns the gap with each single effect on the logs of the gap.
   std::vector<double> gapsAlone() const {
     std::vector<double> gaps(search_.singles.size());
     fit::parallelFor(gaps.size(), options_.threads, [&](std::size_t c) {

@@ -40,7 +40,6 @@ struct MemberLaw {
   Entries at(const Eigen::VectorXd& scales) const;
 };
 
-/// Laws of all members of a hypothesis.
 struct Law {
   std::vector<MemberLaw> members;
   fit::Hypothesis about;  ///< parameters that are free in each log; has no terms
@@ -48,7 +47,6 @@ struct Law {
   /// Returns a hypothesis for the fit. Each number of an entry becomes a term with bounds but without an entry.
   fit::Hypothesis hypothesis() const;
 
-  /// Returns the entries of each member with these scales.
   std::vector<Entries> at(const Eigen::VectorXd& scales) const;
 };
 

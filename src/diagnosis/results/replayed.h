@@ -20,7 +20,6 @@ struct Replayed {
   const std::vector<gap::PartError>& unseen() const { return held_out.empty() ? of_the_fit : held_out; }
 };
 
-/// Returns the elements of a model together with those of a law.
 Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted);
 
 /// Returns the errors of a fitted law that is written as these elements, on the logs of the fit and on the held-out

@@ -240,7 +240,6 @@ class Chooser {
     return Subsets(blocks_.sum, terms, of_candidate_[m], pool_[m], free, moment, square).best();
   }
 
-  // A fitted law whose gap is small enough.
   struct Allowed {
     std::size_t numbers;
     double gap;

@@ -23,7 +23,6 @@ using Key = std::pair<std::string, std::string>;  // owner and name
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// A randomly drawn value, and the weight of the draw.
 struct Draw {
   double value;
   double weight;
@@ -90,7 +89,6 @@ void addNumbers(const std::string& list, const Entries& entries, std::vector<Siz
   }
 }
 
-// Returns every number of a component file.
 std::vector<SizedValue> writtenValues(const io::ComponentDescription& description) {
   std::vector<SizedValue> values;
   for (const auto& [name, value] : description.specification().values()) {

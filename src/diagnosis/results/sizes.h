@@ -10,7 +10,6 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Numbers of a law.
 struct Sizes {
   std::vector<SizedValue> model;    ///< parameters of the model
   std::vector<SizedValue> effects;  ///< headline numbers of each effect, in the order of the hypothesis

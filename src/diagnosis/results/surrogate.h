@@ -10,7 +10,6 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// Logs that a surrogate is fitted to, and held-out logs.
 struct SurrogateLogs {
   const std::vector<gap::PreparedRecord>& training;
   /// Force of the augmented component on `training`, simulated from the displacement as recorded [N].

@@ -272,7 +272,6 @@ std::string identifiedText(const Diagnosis& diagnosis) {
   return text;
 }
 
-// Returns the remark on the effect that is named first.
 std::string remarkText(const Diagnosis& diagnosis) {
   const std::string& first = diagnosis.answer.effects.front();
   const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
