@@ -27,8 +27,8 @@ struct Agreement {
 
 /// Compares the measured force of a log with a simulated one, from the sample `first` on. Samples without a measured
 /// force are left out; for the energy and ISO 18571, their force is interpolated. Throws std::invalid_argument if the
-/// numbers of values differ, fewer than two samples remain, a simulated force is too large, or no measured force
-/// varies.
+/// numbers of values differ, fewer than two samples remain, a simulated force is too large, or the measured force
+/// is constant.
 Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated, std::size_t first = 0);
 
 /// Limits of an agreement. Limits that are not set are not checked.

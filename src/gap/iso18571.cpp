@@ -111,7 +111,7 @@ Correlations correlate(const Signal& first, const Signal& second, Index most) {
 }
 
 // Returns the shift of the simulated signal (positive to the left) with the largest correlation. If several shifts are
-// equal within the rounding of transforms, returns the smallest of them, and rather a left than a right one.
+// equal within the rounding of transforms, returns the smallest of them, preferably to the left.
 Index bestShift(const Signal& measured, const Signal& simulated) {
   constexpr double kRounding = 1e-9;
   const auto most = static_cast<Index>(std::floor(kLargestShift * static_cast<double>(measured.size())));

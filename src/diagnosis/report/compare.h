@@ -12,7 +12,8 @@ class EarlierReport {
   /// Reads the report. Throws std::runtime_error if the file cannot be read or is no report of `diagnose`.
   explicit EarlierReport(const std::string& path);
   /// Compares verdict, gaps, sizes, findings about the rig and where the gap lies. Two sizes or findings differ if
-  /// their 95 % intervals do not overlap. Two gaps, or parts of it, differ by more than the sum of both noise floors.
+  /// their 95 % intervals do not overlap. Two gaps (or parts of gaps) differ if their difference exceeds the sum of
+  /// both noise floors.
   Comparison compare(const Diagnosis& diagnosis) const;
 
  private:
