@@ -38,9 +38,9 @@ namespace fs = std::filesystem;
 using diagnosis::Verdict;
 using nlohmann::ordered_json;
 
-constexpr std::size_t kKeptSamples = 4000000;  // total of all cached logs: about 100 MB with force and displacement
+constexpr std::size_t kKeptSamples = 4000000;  // in all cached logs, which then need about 100 MB
 
-// Returns sets of effects that the logs cannot distinguish as "friction | friction + creep".
+// Returns sets of effects that the logs cannot distinguish, such as "friction | friction + creep".
 std::string setsText(const std::vector<std::vector<std::string>>& sets) {
   return element::joined(sets, " | ", [](const auto& set) { return fmt::format("{}", fmt::join(set, " + ")); });
 }
@@ -71,9 +71,9 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
   return values;
 }
 
-// Returns true if the re-estimated values are meaningful as if the model lacked no effect. A wrong sign, unit or column
-// makes them meaningless, and an unexplained residual biases them. With an added effect they depend on its form, so
-// that they count only if other parameter values alone would also explain the logs.
+// Returns true if the re-estimated values are meaningful. A wrong sign, unit or column makes them meaningless, and an
+// unexplained residual biases them. With an added effect they depend on its form, so that they count only if other
+// parameter values alone would also explain the logs.
 bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
   const bool other_values_do =
       std::any_of(d.answer.alternatives.begin(), d.answer.alternatives.end(), [](const diagnosis::Alternative& other) {
@@ -191,7 +191,7 @@ class Executor {
     diagnosis::DiagnosisOptions settings;
     settings.evidence = job.options.evidence;
     settings.excluded = job.options.exclude;
-    settings.threads = 1;  // several jobs run at the same time instead
+    settings.threads = 1;  // the jobs themselves run in parallel
     const diagnosis::Diagnosis result =
         diagnosis::diagnose(description, logs(job, job.logs), logs(job, job.hold_out), settings);
     record.values = diagnosisValues(result);

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kTail = 0.025;           // probability above a 95 % interval, and below it
+constexpr double kTail = 0.025;           // probability on each side of a 95 % interval
 constexpr std::size_t kMostListed = 500;  // components per type; table.csv lists all components
 
 // Returns the share of each name with its interval. The most frequent name comes first.

@@ -367,7 +367,7 @@ class Maker {
   std::string base_;    // folder of the jobs file
   std::string output_;  // folder of the campaign
   Manifest manifest_;
-  std::unordered_map<std::string, Components> components_;  // by the text of their file
+  std::unordered_map<std::string, Components> components_;  // components by the text of their file
   std::unordered_map<std::string, std::size_t> inputs_;     // index of each path
   std::vector<Reading> readings_;
   std::set<std::pair<std::size_t, nlohmann::ordered_json>> seen_readings_;

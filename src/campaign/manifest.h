@@ -33,7 +33,7 @@ const std::vector<std::string> kReports = {"none", "data", "full"};
 inline const std::string& toString(Command command) { return kCommands.at(static_cast<std::size_t>(command)); }
 inline const std::string& toString(Reports reports) { return kReports.at(static_cast<std::size_t>(reports)); }
 
-/// Options of a job. Each has the meaning of the option of the command that is named beside it.
+/// Options of a job. The comment on each names the option of the command that has the same meaning.
 struct JobOptions {
   Reports reports = Reports::data;
   bool evidence = false;                   ///< --evidence of diagnose

@@ -43,7 +43,7 @@ struct RunningRun {
   double silent;                 // time since the last heartbeat [s]
 };
 
-// Returns all runs that have a file, by the names of these files: host and process.
+// Returns all runs that have a heartbeat file, by the name of this file, which states host and process.
 std::map<std::string, RunningRun> findRuns(const std::string& folder) {
   std::map<std::string, RunningRun> runs;
   std::error_code failure;

@@ -34,7 +34,7 @@ struct JobCounts {
   std::size_t done = 0;
   std::size_t failed = 0;
   std::size_t broken = 0;   ///< records with an error (FoundRecord::problem); their jobs will be run again
-  std::size_t running = 0;  ///< jobs without a record that a run lists as its current jobs
+  std::size_t running = 0;  ///< jobs that a run lists as current and that have no record
   std::size_t missing = 0;  ///< all other jobs
 };
 

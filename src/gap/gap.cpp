@@ -15,7 +15,7 @@
 namespace rubber_suspension::gap {
 namespace {
 
-// Returns the products of residual, own parameters of the log and errors of the rig over a part of a record.
+// Returns the products of residual, fit parameters of the log and errors of the rig over a part of a record.
 Eigen::MatrixXd productsOver(const PreparedRecord& record, const Eigen::VectorXd& residual, const OwnUnknowns& own,
                              Eigen::Index first, Eigen::Index count) {
   const Eigen::Index rig = record.rig.columns.cols();

@@ -7,7 +7,7 @@
 namespace rubber_suspension::gap {
 
 std::vector<std::size_t> meanCrossings(const log::Log& log) {
-  constexpr double kHysteresis = 0.25;  // share of the standard deviation; larger than the noise of a sensor
+  constexpr double kHysteresis = 0.25;  // share of the standard deviation, against noise of the sensor
   const auto size = static_cast<double>(log.size());
   const double mean = std::accumulate(log.displacement.begin(), log.displacement.end(), 0.0) / size;
   double variance = 0.0;

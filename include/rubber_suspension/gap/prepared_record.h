@@ -14,7 +14,8 @@ struct RigPrior {
   /// Whitening columns N (numerics::whiteningColumns) for offset, delay, gain, slow noise and the state of the
   /// component before the log, according to their priors. They are 0 where samples do not count, and may be missing.
   Eigen::MatrixXd columns;
-  /// Error that one standard deviation of each of them counts as, divided by the standard deviation of the force.
+  /// Error that one standard deviation of each error of the rig counts as, divided by the standard deviation of the
+  /// force.
   double one_deviation = 0.0;
   /// Largest standard deviation [N] of a drift, or of noise slower than the motion, that counts as noise.
   double slow_noise = std::numeric_limits<double>::infinity();

@@ -98,7 +98,7 @@ class LiveDiagnosis {
   std::int64_t last_look_ = 0;     // newest stamp at the last look [ns]
   double last_window_ = 0.0;       // length of the window of the last look [s]
   std::unique_ptr<Model> configured_model_;
-  std::unique_ptr<Model> re_estimated_model_;  // null unless the last look has an effect, like the next model
+  std::unique_ptr<Model> re_estimated_model_;  // null unless the last look has an effect, as for augmented_model_
   std::unique_ptr<Model> augmented_model_;
   std::unique_ptr<Block> block_;
   LiveFindings findings_;

@@ -59,7 +59,8 @@ struct Look {
   std::vector<std::string> effects;  ///< named effects
 };
 
-/// Standard deviations of measured minus simulated force on a block that no look has used [N]; NaN without the model.
+/// Standard deviations of measured minus simulated force on a block that no look has used [N]; NaN if there is no
+/// model.
 struct BlockErrors {
   std::int64_t begin = 0;  ///< stamp of the first sample in the block [ns]
   double force = 0.0;      ///< standard deviation of the measured force [N]

@@ -1,4 +1,4 @@
-// Logs with a wrong sign, unit, column or component, as recorded and corrected.
+// Collects logs with a wrong sign, unit, column or component, as recorded and corrected.
 #include "diagnosis/prepare/bench_evidence.h"
 
 #include <algorithm>

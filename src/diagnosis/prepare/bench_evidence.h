@@ -1,4 +1,4 @@
-// Evidence for the verdict check_bench: logs with a wrong sign, unit, column or component, as recorded and corrected.
+// Collects evidence for the verdict check_bench: logs with a wrong sign, unit, column or component, and corrected logs.
 #pragma once
 
 #include <Eigen/Core>

@@ -26,7 +26,7 @@ struct Window {
   std::size_t last;  // one past the end
 };
 
-// Divides a log into windows of equal length, which is a multiple of the stretches of the survey.
+// Divides a log into windows of equal length, which is a multiple of the length of the stretches in the survey.
 std::vector<Window> windowsOf(const LogSurvey& log, std::size_t share) {
   const double least = kCyclesOfExcerpt * log.motion.samplesPerCycle();
   const double most = static_cast<double>(share) / least;
@@ -53,7 +53,7 @@ double standstillOf(const std::vector<double>& motion) {
   return kMoves * *std::max_element(motion.begin(), motion.end());
 }
 
-// Returns up to `count` indices in ascending order. The first window and that of the largest motion have priority.
+// Returns up to `count` indices in ascending order. The first window and the window with most motion have priority.
 std::vector<std::size_t> choose(const std::vector<double>& motion, std::size_t largest, std::size_t count) {
   const double least = standstillOf(motion);
   std::vector<std::size_t> chosen;

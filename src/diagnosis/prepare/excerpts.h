@@ -1,4 +1,4 @@
-// Excerpts of logs that are too long for a search.
+// Selects excerpts of logs that are too long for a search.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// The motion of a component from one excerpt of a long log to the next.
+// Builds the motion of a component between two excerpts of a long log.
 #pragma once
 
 #include <cstddef>

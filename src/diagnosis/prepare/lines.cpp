@@ -26,21 +26,21 @@ using Eigen::VectorXd;
 constexpr double kLongestBlock = 2.0;  // longest block [s]; the phase of mains hardly drifts in this time
 constexpr double kFewestBlocks = 12.0;
 constexpr Index kMainLobe = 2;         // number of frequencies on each side that belong to a line in a Hann window
-constexpr Index kNeighbours = 6;       // number of frequencies on each side up to which a line is compared
+constexpr Index kNeighbours = 6;       // a line is compared with frequencies up to this distance on each side
 constexpr double kSteady = 0.15;       // standard deviation of a steady amplitude, divided by the amplitude
 constexpr double kDrift = 0.3;         // standard deviation of the phase drift from block to block [rad]
 constexpr double kFewestCycles = 8.0;  // least number of cycles in a window in which the phase of a line is estimated
-constexpr double kShortestWindow = 0.25;  // shortest such window, in lengths of a block
+constexpr double kShortestWindow = 0.25;  // least length of these windows, in lengths of a block
 constexpr double kLikely = 3.0;           // least log Bayes factor of a line in one log: ln 20
 constexpr double kRare = 4.6;             // negative logarithm of the prior probability of a line, 1 %
-constexpr double kLoud = 3.0;             // least ratio of the amplitude of a visible line to its neighbours
-constexpr int kMultiples = 60;            // highest harmonic of the motion that the force may contain
-constexpr double kResolved = 2.0;         // least resolved frequency difference, times the duration
+constexpr double kLoud = 3.0;      // a line is visible if its amplitude is this many times that of its neighbours
+constexpr int kMultiples = 60;     // highest harmonic of the motion that the force may contain
+constexpr double kResolved = 2.0;  // two frequencies are resolved if they differ by this many times 1/duration
 
 // Oscillation of steady amplitude whose phase drifts slowly.
 struct Line {
   double frequency;  // [Hz]
-  double amplitude;  // unit of the signal
+  double amplitude;  // in the unit of the signal
   double evidence;   // logarithm of the Bayes factor of a line relative to noise of the same power
 };
 
@@ -49,7 +49,7 @@ ArrayXd hannWindow(Index length) {
   return 0.5 - 0.5 * (places * (2.0 * element::kPi / static_cast<double>(length))).cos();
 }
 
-// Logarithm of the modified Bessel function of order 0.
+// Returns the logarithm of the modified Bessel function of order 0.
 double logBessel(double x) {
   constexpr double kLarge = 100.0;
   return x < kLarge ? std::log(boost::math::cyl_bessel_i(0, x)) : x - 0.5 * std::log(2.0 * element::kPi * x);
@@ -286,8 +286,8 @@ std::string originOf(double frequency, double step, const std::vector<Line>& lin
   return "";
 }
 
-// Returns the line at this frequency in a signal. Its phase is estimated in windows of a given length [s], then its
-// amplitude with this phase. Writes the amplitude and its interval to `finding`.
+// Returns the line at this frequency in a signal. Its phase is estimated in windows of a given length [s]. Its
+// amplitude is estimated with this phase and written to `finding` together with its interval.
 VectorXd lineIn(const VectorXd& signal, double step, double frequency, double window,
                 measurement::RigFinding& finding) {
   const auto hop = static_cast<Index>(std::ceil(0.25 * window / step));

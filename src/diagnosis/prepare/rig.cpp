@@ -25,7 +25,7 @@ namespace {
 using Records = std::vector<gap::PreparedRecord>;
 
 constexpr int kIterations = 8;          // iterations of the fit at whose result the priors are computed
-constexpr double kBeyond95 = 0.025;     // probability above a 95 % interval, and below it
+constexpr double kBeyond95 = 0.025;     // probability on each side of a 95 % interval
 constexpr double kNormal95 = 1.96;      // half width of the 95 % interval of a normal variable, in standard deviations
 constexpr std::size_t kFewestLogs = 3;  // least number of logs from which the scatter of offsets is estimated
 
@@ -93,7 +93,8 @@ void addValues(const io::RigTolerances& tolerances, const Records& records, cons
   }
 }
 
-// The state in which Berg friction starts depends on earlier motion, so that it may offset the force by its maximum.
+// The initial state of Berg friction depends on earlier motion, so that the friction may offset the force by its
+// maximum.
 Limits limitsBy(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                 const Records& training, const Records& held_out) {
   std::vector<double> zeros;
@@ -137,7 +138,7 @@ Eigen::MatrixXd deviationsOf(const measurement::RigColumns& rig, const Limits& l
   return columns.leftCols(used + starts.cols() + slow.cols());
 }
 
-// Returns the tolerance of an offset of the displacement [m], or 0 for an excerpt, whose log has one offset throughout.
+// Returns the tolerance of an offset of the displacement [m], or 0 for an excerpt, because a log has a single offset.
 double zeroOfDisplacement(const log::Record& record, const io::RigTolerances& tolerances) {
   const double range = record.displacement.maxCoeff() - record.displacement.minCoeff();
   return record.lead_in.displacement.empty() ? tolerances.displacement_zero.of(range) : 0.0;

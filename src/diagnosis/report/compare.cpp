@@ -128,10 +128,10 @@ std::string effectsOf(const Diagnosis& d) {
   return d.answer.effects.empty() ? "none" : words::enumerated(d.answer.effects);
 }
 
-// Where a part of the gap lies: frequency band, amplitude band and quantity. The names of logs differ from day to day.
+// Identifies a part of the gap by frequency band, amplitude band and quantity. Names of logs differ from day to day.
 using Place = std::tuple<double, double, double, double, std::string>;
 
-// Returns the part of the gap as configured in each place, divided by the standard deviation of the force.
+// Returns the size of each part of the gap as configured, divided by the standard deviation of the force.
 std::map<Place, double> placesOf(const Diagnosis& d) {
   std::map<Place, double> squares;
   for (const gap::GapCell& cell : d.where.before) {

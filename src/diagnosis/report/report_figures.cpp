@@ -206,7 +206,7 @@ io::Figure residualOverDisplacement(const Diagnosis& diagnosis) {
 // Returns the gap of successive stretches of all logs. A stretch is at least a cycle.
 io::Curve levelOverTime(const Diagnosis& diagnosis, const std::vector<Eigen::VectorXd>& simulated,
                         const std::string& label, const std::string& style, int colour) {
-  constexpr Eigen::Index kMostStretches = 60;  // in a log
+  constexpr Eigen::Index kMostStretches = 60;  // largest number of stretches in a log
   io::Curve curve{label, {}, {}, style, colour};
   double start = 0.0;
   for (std::size_t r = 0; r < diagnosis.workings->simulated.records.size(); ++r) {

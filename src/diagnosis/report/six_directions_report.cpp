@@ -44,8 +44,8 @@ std::string shareText(const CrossShare& pair) {
   return std::isnan(pair.share) ? "-" : words::wholePercent(pair.share) + " %";
 }
 
-// Returns for each direction its share in the squared residual of this direction. A share that is not known is "-", and
-// the text for the direction itself is empty.
+// Returns for each direction the share of the squared residual of `of` that this direction predicts. The text is "-" if
+// the share is not known, and empty for `of` itself.
 std::vector<std::string> shareTexts(const std::vector<CrossShare>& map, component::Direction of) {
   std::vector<std::string> texts(component::kDirections);
   for (const CrossShare& pair : map) {

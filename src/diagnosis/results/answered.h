@@ -25,7 +25,7 @@ struct Left {
 /// the answer closes, with the interval of this fraction for further logs.
 Gaps gapsOf(const Left& left, const Workings& workings, const DiagnosisOptions& options);
 
-/// Returns the results of each effect as the only one, in descending order of probability.
+/// Returns the result of each effect when it is the only one, in descending order of probability.
 std::vector<CandidateResult> candidateResults(const Left& left, const Gaps& gaps, const Workings& workings,
                                               const DiagnosisOptions& options);
 
@@ -44,7 +44,7 @@ std::vector<GapShare> sharesOf(const std::vector<std::string>& effects, const Ga
 io::ComponentDescription withSome(const io::ComponentDescription& configured, const WrittenLaw& law,
                                   const std::vector<std::string>& effects, const std::vector<bool>& in);
 
-/// Returns the re-estimated ratios of the parameters, and the deviations of the judged model from the data sheet.
+/// Returns the ratios of re-estimated to configured parameters, and deviations of the judged model from the data sheet.
 OwnParameters ownParameters(const fit::ModelParameters& model, const Eigen::VectorXd& re_estimated,
                             const Eigen::VectorXd& judged);
 

@@ -96,7 +96,7 @@ CharacteristicErrors characteristicErrors(const std::vector<gap::PreparedRecord>
       const Eigen::VectorXd z = record.displacement.segment(first, length);
       const double range = z.maxCoeff() - z.minCoeff();
       if (range < 1e-3 * (record.displacement.maxCoeff() - record.displacement.minCoeff())) {
-        continue;  // the displacement rests in this window, which has no loop
+        continue;  // the displacement is at rest in this window, so that there is no loop
       }
       const Loop measured = loopOf(z, record.force.segment(first, length));
       const Loop model = loopOf(z, simulated[r].segment(first, length));

@@ -33,8 +33,7 @@ constexpr double kHidesTheRig = 0.1;
 // Returns the share of the samples whose displacement repeats that of one period before, for the period with the most
 // repeats. The repeats distinguish noise from model error without a model.
 double repeatsOf(const log::Record& record) {
-  constexpr double kSame =
-      0.05;  // two displacements are equal if they differ by less than this many standard deviations
+  constexpr double kSame = 0.05;  // displacements that differ by fewer standard deviations are repeats
   constexpr Eigen::Index kCoarse = 1024;
   const Eigen::Index stride = std::max<Eigen::Index>(1, record.size() / kCoarse);
   const Eigen::Index count = record.size() / stride;
@@ -54,7 +53,7 @@ double repeatsOf(const log::Record& record) {
   return best;
 }
 
-// `noise` is the noise floor as a gap. `account` states what was removed from the log.
+// `noise` is the noise floor in the unit of a gap. `account` states what was removed from the log.
 Admission admit(const log::Record& record, bool hold_out, double noise, const LogAccount& account) {
   Admission admission;
   admission.log = record.name;
@@ -95,9 +94,9 @@ Simulated simulateAll(const hypotheses::PreparedCase& prepared, const io::Compon
   return simulated;
 }
 
-// Returns a 95 % lower bound of the mean reduction of the squared error by an effect, over the parts of the logs. The
-// standard error is estimated only from parts where the error increases. An effect may act in few parts of the logs,
-// and a large reduction there is no uncertainty.
+// Returns a 95 % lower bound of the mean reduction of the squared error that an effect causes in the parts of the logs.
+// The standard error is estimated only from parts in which the error increases. An effect may act in few parts of the
+// logs, and a large reduction there does not make the mean uncertain.
 double removedAtLeast(const std::vector<gap::PartError>& without, const std::vector<gap::PartError>& with) {
   constexpr double kNormal95 = 1.645;  // one-sided
   double sum = 0.0;
@@ -228,7 +227,7 @@ class Describer {
     return {forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(prepared_.training.size())};
   }
 
-  // Return the logs on which the gap is computed, and from forces on all logs those on the logs of the gap.
+  // recordsOfGap() returns the logs on which the gap is computed. ofGap() selects the forces on these logs.
   const std::vector<gap::PreparedRecord>& recordsOfGap() const {
     return hasUnseenLogs() ? prepared_.held_out : prepared_.training;
   }
@@ -248,8 +247,8 @@ class Describer {
     fit::parallelFor(gaps.size(), options_.threads, [&](std::size_t c) {
       FittedLaw alone = fullLaw(search_.singles[c]);
       if (hasUnseenLogs() && &search_.singles[c] != &judged_) {
-        // For an effect that is not named, drifts and gains are taken from the simulation. If they were free in each
-        // log, they would absorb slow noise or an error of the law.
+        // An effect that is not named explains drifts and gains only as far as a simulation predicts them. If they were
+        // fitted to each log, they would absorb slow noise or an error of the law.
         alone.law.about.free_in_log = {};
       }
       gaps[c] = gap::gapOfParts(
@@ -303,8 +302,8 @@ class Describer {
     return hypotheses::partErrorsOf(freed, records, simulated(elements));
   }
 
-  // Returns the gaps of all models on the logs as recorded, which include all errors of the rig: configured,
-  // re-estimated, augmented, and with the surrogate.
+  // Returns gaps on the logs as recorded, with all errors of the rig: of the configured, the re-estimated and the
+  // augmented component, and of the surrogate if there is one.
   std::vector<double> gapsAsRecorded(const std::vector<prepare::LogSurvey>& logs,
                                      const std::optional<Surrogate>& surrogate) const {
     std::vector<std::vector<element::ElementDescription>> models = {
@@ -316,7 +315,7 @@ class Describer {
     return recordedGaps(models, logs, recorded, options_.threads);
   }
 
-  // Returns the distribution of a gap over the logs. The squares of all cells add up to the squared gap.
+  // Returns the map of a gap. The squares of its cells add up to the squared gap.
   std::vector<gap::GapCell> mapOf(const gap::Forces& forces, double gap) const {
     const std::vector<gap::PreparedRecord>& records = recordsOfGap();
     gap::Forces residual;

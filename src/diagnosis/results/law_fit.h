@@ -14,8 +14,7 @@ namespace rubber_suspension::diagnosis::results {
 
 using Entries = std::vector<element::ElementDescription>;
 
-/// Position of a number in a list of entries. A fit varies the logarithm of its ratio to the start, which keeps the
-/// sign.
+/// Position of a number in a list of entries. A fit varies ln(number / start), so that the sign cannot change.
 struct NumberPlace {
   std::size_t entry = 0;
   std::string key;
@@ -36,15 +35,15 @@ struct MemberLaw {
 
   std::size_t size() const { return terms.empty() ? numbersOf(start).size() : terms.size(); }
 
-  /// Returns the entries with these scales of the terms, or with these logarithms of the ratios of the numbers.
+  /// Returns the entries of the law. `scales` contains the scale of each term, or ln(number / start) for each number.
   Entries at(const Eigen::VectorXd& scales) const;
 };
 
 struct Law {
   std::vector<MemberLaw> members;
-  fit::Hypothesis about;  ///< parameters that are free in each log; has no terms
+  fit::Hypothesis about;  ///< contains only the parameters that are free in each log
 
-  /// Returns a hypothesis for the fit. Each number of an entry becomes a term with bounds but without an entry.
+  /// Returns the hypothesis for a fit. Numbers of entries become terms that have bounds, but no entries of their own.
   fit::Hypothesis hypothesis() const;
 
   std::vector<Entries> at(const Eigen::VectorXd& scales) const;

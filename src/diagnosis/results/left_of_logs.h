@@ -15,7 +15,7 @@ struct RigOfLog {
   double delay = 0.0;  ///< delay of the recorded force relative to the displacement [s]
 };
 
-/// Returns the gain and the delay of each record that the findings state.
+/// Returns the gain and the delay that the findings state for each record.
 std::vector<RigOfLog> rigOfLogs(const std::vector<gap::PreparedRecord>& records,
                                 const std::vector<measurement::RigFinding>& findings);
 

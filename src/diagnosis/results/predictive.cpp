@@ -73,7 +73,7 @@ class FurtherLogs {
   std::normal_distribution<double> normal_{0.0, 1.0};
   std::discrete_distribution<int> pick_;
   ArrayXd expected_;
-  double logs_;  // effective number of logs for their weights
+  double logs_;  // effective number of logs, given their weights
 };
 
 }  // namespace

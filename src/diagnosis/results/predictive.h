@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::diagnosis::results {
 
-/// A hypothesis whose closed fraction of the gap is predicted.
+/// A hypothesis for which the closed fraction of the gap is predicted.
 struct Closing {
   int hypothesis = judge::Evidence::kReEstimated;
   /// Probability that there is no unlisted cause beside the hypothesis. Its residual is then the form error of its law.

@@ -48,8 +48,8 @@ using Starts = std::map<std::size_t, std::map<std::string, Start>>;
 class Subsets {
  public:
   // `from` are the columns of the terms in the normal equations, and `free` the columns of all other free parameters.
-  // `moment` and `square` are the products of the residual without the effect with the columns and with itself. The
-  // first `own` terms belong to the candidate, the others to its further laws.
+  // The residual without the effect has the products `moment` with the columns and `square` with itself. The first
+  // `own` terms belong to the candidate, the others to its further laws.
   Subsets(const Eigen::MatrixXd& gram, std::vector<fit::BasisTerm> terms, std::size_t own, const Indices& from,
           const Indices& free, const Eigen::VectorXd& moment, double square)
       : terms_(std::move(terms)), square_(square) {
@@ -125,7 +125,7 @@ class Subsets {
   }
 
   std::vector<fit::BasisTerm> terms_;
-  std::vector<std::size_t> numbers_;  // count of numbers of each term
+  std::vector<std::size_t> numbers_;  // count of free numbers of each term
   std::vector<std::string> kinds_;    // kind of each term
   Eigen::MatrixXd gram_;
   Eigen::VectorXd moment_;

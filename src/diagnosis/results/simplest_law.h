@@ -16,8 +16,7 @@ FittedLaw fullLaw(const hypotheses::FittedHypothesis& judged);
 
 struct SimplestLaw {
   FittedLaw fitted;
-  /// Other laws with a small enough gap, with odds from their errors: the simplest of each other kind, and the full
-  /// law.
+  /// Other laws with a small enough gap, and their odds: the simplest law of each other kind, and the full law.
   std::vector<WeighedLaw> others;
   /// RMS form error of each effect, divided by the standard deviation of the force.
   std::vector<double> form_error;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kChanceOfGain = 0.05;  // significance level of an improvement on unseen blocks
 constexpr double kEvenChance = 0.5;     // returned if the blocks do not determine the probability
-constexpr double kLargerPart = 0.5;     // share of the squared residual
+constexpr double kLargerPart = 0.5;     // least predicted share of a residual that is a function of the motion
 constexpr std::size_t kFewestLogs = 3;  // least number of logs from which the scatter between logs is estimated
 
 // Appends the tenths of held-out logs, which no fit has used and which count as further logs.

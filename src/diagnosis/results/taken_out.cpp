@@ -29,7 +29,7 @@ VectorXd countsOf(const log::Record& record) {
   return record.counts.size() == 0 ? VectorXd::Ones(record.size()).eval() : record.counts;
 }
 
-// Lets the first cycle of a log that starts in motion count too, as far as its force was measured.
+// Lets the first cycle of a log that starts in motion count as well, except where its force was not measured.
 VectorXd withStart(VectorXd counts, const VectorXd& measured) {
   for (Index i = 0; i < counts.size() && counts[i] == 0.0; ++i) {
     counts[i] = measured.size() == 0 ? 1.0 : measured[i];
@@ -39,7 +39,7 @@ VectorXd withStart(VectorXd counts, const VectorXd& measured) {
 
 using Displacements = std::vector<VectorXd>;
 
-// Returns the forces that other displacements cause in the same records.
+// Returns the forces on the same records when other displacements drive the elements.
 gap::Forces simulateOver(const std::vector<element::ElementDescription>& elements,
                          const std::vector<gap::PreparedRecord>& of_the_fit,
                          const std::vector<gap::PreparedRecord>& held_out, const Displacements& displacements) {
@@ -51,7 +51,7 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
   return forces;
 }
 
-// Columns of the least-squares system, one per error of the rig, and the kind under which each error is reported.
+// Effect of each error of the rig on the force, as one column per error, and the kind under which it is reported.
 struct KindColumns {
   std::vector<std::string> kinds;
   Eigen::MatrixXd columns;
@@ -99,8 +99,8 @@ KindColumns kindColumns(const log::Record& record, const VectorXd& simulated) {
   return result;
 }
 
-// Distributes the part of the residual that the errors of the rig explain over their kinds. Each kind is weighted by
-// how much of its column they explain.
+// Divides the part of the residual that errors of the rig explain among the kinds of errors. A kind counts by the share
+// of its column that these errors explain.
 void takeNuisances(const gap::PreparedRecord& record, const VectorXd& counts, const VectorXd& simulated,
                    LogAccount& account) {
   constexpr double kRidge = 1e-6;
@@ -126,7 +126,7 @@ void takeNuisances(const gap::PreparedRecord& record, const VectorXd& counts, co
   }
 }
 
-// Forces of the elements for the displacements as recorded, and after missing samples have been bridged.
+// Forces of the elements for two displacements: as recorded, and after missing samples have been bridged.
 struct Stages {
   gap::Forces recorded;
   gap::Forces bridged;
@@ -149,7 +149,7 @@ LogAccount accountOf(const gap::PreparedRecord& record, const prepare::RawChanne
   }
   account.takeOut(taken_out::kInitialState, meanSquare(residual, counts) / variance);
   takeNuisances(record, counts, forces.bridged[r], account);
-  // Computed as gaps are: for each part of the log, the other parts determine the removed errors of the rig. A
+  // As for gaps, the errors of the rig that are removed from a part of the log are estimated from its other parts. A
   // reduction that belongs to no other kind counts as initial state.
   const auto without = [&](const fit::PerLogNuisances& also) {
     const double gap =

@@ -28,14 +28,15 @@ inline constexpr const char* kDelay = "delay";
 }  // namespace taken_out
 
 /// Account of one log. It starts with the mean squared residual of a model on the log as recorded, divided by the
-/// variance of the force. Each call of takeOut() states the value that remains.
+/// variance of the force. Each call of takeOut() sets the value that remains after a kind of error has been removed.
 class LogAccount {
  public:
   LogAccount(std::string log, double recorded) : log_(std::move(log)), recorded_(recorded), left_(recorded) {}
 
   void takeOut(const std::string& kind, double left);
 
-  /// Return the value at the start and the current one. Their difference is the sum of the signed squares of entries().
+  /// Return the initial and the current value. They differ by the sum of the squared shares in entries(), with their
+  /// signs.
   double recorded() const { return recorded_; }
   double left() const { return left_; }
 

@@ -100,7 +100,7 @@ std::string unitOf(const io::ComponentDescription& component, const SizedValue& 
   return size.unit == "m" ? "mm" : size.unit == "N/m" ? "kN/mm" : size.unit == "N" ? "N" : "";
 }
 
-// Returns a text in this unit that is read back as exactly the same number. If there is none, the text is in SI units.
+// Returns a text in this unit that is read back as exactly the same number. If that is impossible, returns it in SI.
 std::string exactly(double value, const std::string& si, const std::string& unit) {
   const std::string text = unit.empty() ? "" : fmt::format("{:.12g} {}", log::UnitConversion(si, unit)(value), unit);
   return !text.empty() && log::parseQuantity(text, si) == value ? text : fmt::format("{}", value);

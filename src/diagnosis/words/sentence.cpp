@@ -228,7 +228,7 @@ std::string sharesText(const Diagnosis& diagnosis) {
 }
 
 // Returns a text that begins with the values of the model if they remove more of the gap than all effects, and with the
-// effects otherwise. The text ends with all shares.
+// effects otherwise. The text ends with the share that each of them removes.
 std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects) {
   const SizedValue* const value = headlineValue(diagnosis);
   double by_effects = 0.0;
@@ -240,7 +240,7 @@ std::string withOwnValues(const Diagnosis& diagnosis, const std::string& effects
          sharesText(diagnosis);
 }
 
-// Returns " Deviations in tolerances of the data sheet: K_st -1.2, K_n +2.3.", for deviations of at least 0.5.
+// Returns " Deviations in tolerances of the data sheet: K_st -1.2, ...", with deviations of at least half a tolerance.
 std::string deviationsText(const Diagnosis& diagnosis) {
   constexpr double kWorthSaying = 0.5;
   std::vector<std::string> texts;
