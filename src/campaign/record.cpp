@@ -80,7 +80,7 @@ Record recordFromText(const std::string& text) {
 
 // Returns the kind of an entry that is not a regular file. Returns "" for a regular file, or if there is no entry.
 std::string otherKind(const std::string& path) {
-  std::error_code unknown;  // reported when reading fails
+  std::error_code unknown;  // any error is reported when reading fails
   const fs::file_status status = fs::status(path, unknown);
   if (!fs::is_directory(status) && !fs::is_other(status)) {
     return "";
@@ -135,7 +135,7 @@ FoundRecord findRecord(const std::string& folder, const std::string& id, const s
   if (const std::string kind = otherKind(path); !kind.empty()) {  // reading a pipe would block
     return {std::nullopt, path + ": is " + kind + "; accepted: a record"};
   }
-  std::error_code unknown;  // reported when opening fails
+  std::error_code unknown;  // any error is reported when opening fails
   if (const std::uintmax_t size = fs::file_size(path, unknown); !unknown && size > kLargest) {
     return {std::nullopt, fmt::format("{}: has {} bytes; accepted: a record of at most {}", path, size, kLargest)};
   }

@@ -32,7 +32,7 @@ struct Record {
   bool failed() const { return !error.empty(); }
 };
 
-/// Returns the path of the report, or of its page, in the folder of the campaign. Returns "" if there is no report.
+/// Returns the path of the report (its page, if there is one) in the folder of the campaign, or "" without a report.
 std::string reportPath(const Record& record);
 
 /// Writes a record under a temporary name, syncs it and renames it, so that it is never incomplete. The files of the

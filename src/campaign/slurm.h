@@ -12,7 +12,7 @@ namespace rubber_suspension::campaign {
 
 struct SlurmOptions {
   std::string program;               ///< absolute path of `campaign`, the same on every node
-  double shard_minutes = 5.0;        ///< intended run time of a task; a task without jobs takes some seconds already
+  double shard_minutes = 5.0;        ///< intended run time of a task; even a task without jobs takes some seconds
   std::size_t max_running = 0;       ///< largest number of tasks that run at a time; 0 for no limit
   std::string partition;             ///< if empty, the default of the cluster
   int workers = 1;                   ///< number of parallel jobs in a task, and of processors that the task requests

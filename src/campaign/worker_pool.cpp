@@ -149,7 +149,7 @@ class Pool {
   // ended, which may take long if it waits for a file system.
   void look() {
     constexpr int kMoment = 100;               // [ms]
-    constexpr double kMostBetweenLooks = 2.0;  // longer if this process was suspended together with its workers [s]
+    constexpr double kMostBetweenLooks = 2.0;  // a longer time means that this process was suspended [s]
     std::vector<pollfd> sockets =
         element::each(workers_, [](const Worker& worker) { return pollfd{worker.socket, POLLIN, 0}; });
     poll(sockets.data(), sockets.size(), kMoment);

@@ -173,7 +173,7 @@ class Warping {
     return static_cast<std::size_t>(diagonal * (reach_ + 1) + i - firstOf(diagonal));
   }
 
-  // Fills one antidiagonal after the other. The cost at sample i is at i + 1, between two cells that no path can reach.
+  // Fills one antidiagonal after the other. The cost of sample i is stored at i + 1, between two unreachable cells.
   void fill() {
     constexpr double kNever = std::numeric_limits<double>::infinity();
     const Eigen::VectorXd backwards = measured_.reverse();

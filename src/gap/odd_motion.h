@@ -23,7 +23,7 @@ std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& sca
 /// checks the amplitude.
 std::optional<std::string> oddMotion(const log::Log& log, const std::vector<double>& force, const MotionScale& scale);
 
-/// Describes an odd log as above, with the static force at the largest and the smallest displacement as `force`.
+/// Describes an odd log as above. Uses the static force at the largest and the smallest displacement as `force`.
 std::optional<std::string> oddMotion(const log::Log& log, const io::ComponentDescription& description);
 
 /// Describes the part of a log beyond the displacements for which a component is valid. Returns nullopt if there is no

@@ -11,10 +11,10 @@ namespace rubber_suspension::gap {
 
 /// Prior distribution of the force that a rig may have added to one log. By default there is none.
 struct RigPrior {
-  /// Whitening columns N (numerics::whiteningColumns) for offset, delay, gain, slow noise and the state of the
+  /// Whitening columns N (numerics::whiteningColumns) for offset, delay, clock, gain, slow noise and the state of the
   /// component before the log, according to their priors. They are 0 where samples do not count, and may be missing.
   Eigen::MatrixXd columns;
-  /// Error that one standard deviation of each error of the rig counts as, divided by the standard deviation of the
+  /// Force that one standard deviation of each error counts as in the fit, divided by the standard deviation of the
   /// force.
   double one_deviation = 0.0;
   /// Largest standard deviation [N] of a drift, or of noise slower than the motion, that counts as noise.

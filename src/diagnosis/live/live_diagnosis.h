@@ -102,7 +102,7 @@ class LiveDiagnosis {
   std::unique_ptr<Model> augmented_model_;
   std::unique_ptr<Block> block_;
   LiveFindings findings_;
-  std::optional<io::ComponentDescription> candidate_;  // proposed by the look that findings_ describe
+  std::optional<io::ComponentDescription> candidate_;  // component that the look in findings_ proposes
 };
 
 }  // namespace rubber_suspension::diagnosis::live

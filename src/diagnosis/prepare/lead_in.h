@@ -1,4 +1,4 @@
-// Builds the motion of a component between two excerpts of a long log.
+// Builds the lead-in of an excerpt of a long log: the motion of the component since the previous excerpt.
 #pragma once
 
 #include <cstddef>

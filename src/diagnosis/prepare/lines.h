@@ -1,4 +1,4 @@
-// Finds the lines that mains or a pump add to the force of all logs.
+// Finds the spectral lines that mains or a pump add to the force of all logs.
 #pragma once
 
 #include <Eigen/Core>

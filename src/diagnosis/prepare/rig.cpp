@@ -24,7 +24,7 @@ namespace {
 
 using Records = std::vector<gap::PreparedRecord>;
 
-constexpr int kIterations = 8;          // iterations of the fit at whose result the priors are computed
+constexpr int kIterations = 8;          // iterations of the fit that precedes the priors
 constexpr double kBeyond95 = 0.025;     // probability on each side of a 95 % interval
 constexpr double kNormal95 = 1.96;      // half width of the 95 % interval of a normal variable, in standard deviations
 constexpr std::size_t kFewestLogs = 3;  // least number of logs from which the scatter of offsets is estimated
@@ -104,8 +104,8 @@ Limits limitsBy(const std::vector<element::ElementDescription>& elements, const 
   return {std::hypot(deviationBy(zeros), bergForce(elements)), deviationBy(lags)};
 }
 
-// Returns the first cosines of the series of a random walk without mean over the log [N]. If their coefficients have a
-// standard deviation of 1, the sum of the cosines has the given standard deviation [N].
+// Returns the first cosine terms of a random walk without mean over the log [N]. If their coefficients have a standard
+// deviation of 1, the sum of the terms has the given standard deviation [N].
 Eigen::MatrixXd slowNoise(const log::Record& record, double deviation) {
   constexpr Eigen::Index kCosines = 8;
   const double samples = static_cast<double>(record.size());

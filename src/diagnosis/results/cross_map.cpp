@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kFolds = 5;
 constexpr std::size_t kBlocks = 100;         // number of blocks per log; each fold is every fifth block
-constexpr std::size_t kMostMapped = 100000;  // approximate upper limit of the samples of all logs
+constexpr std::size_t kMostMapped = 100000;  // approximate upper limit of the number of samples
 constexpr double kLeastOfLargest = 0.02;     // least motion relative to the largest translation or rotation
 constexpr double kLeastOfItsOwn = 0.01;      // least share of the variance that the other direction does not predict
 constexpr Eigen::Index kOwn = 6;             // number of basis functions of one direction alone

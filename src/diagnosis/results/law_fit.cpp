@@ -11,7 +11,7 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-constexpr double kFarthest = 5.0;  // largest logarithm of the ratio of a number to its start: a factor of 150
+constexpr double kFarthest = 5.0;  // largest |ln(number / start)|: a factor of 150
 
 const element::ParameterInfo& infoOf(const element::ElementDescription& entry, const std::string& key) {
   return *element::findParameter(element::findElementType(entry.type)->parameters, key);

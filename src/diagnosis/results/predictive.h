@@ -11,7 +11,7 @@ namespace rubber_suspension::diagnosis::results {
 /// A hypothesis for which the closed fraction of the gap is predicted.
 struct Closing {
   int hypothesis = judge::Evidence::kReEstimated;
-  /// Probability that there is no unlisted cause beside the hypothesis. Its residual is then the form error of its law.
+  /// Probability that no unlisted cause acts beside the hypothesis, whose residual is then the form error of its law.
   double alone = 1.0;
   bool at_work = false;  ///< true if the hypothesis has effects, so that it closes some of the gap
 };

@@ -35,8 +35,7 @@ class LogAccount {
 
   void takeOut(const std::string& kind, double left);
 
-  /// Return the initial and the current value. They differ by the sum of the squared shares in entries(), with their
-  /// signs.
+  /// Return the initial and the current value. The squares of entries(), with their signs, add up to the difference.
   double recorded() const { return recorded_; }
   double left() const { return left_; }
 

@@ -91,7 +91,7 @@ std::string toDecimals(double value, int decimals) {
   return std::stod(text) == 0.0 ? fmt::format("{:.1g}", value) : text;  // no number is rounded to 0
 }
 
-// Returns the unit in the configured file, or a usual unit if the file has units but none for this kind.
+// Returns the unit in the configured file. If the file has units but none of this kind, returns a usual unit.
 std::string unitOf(const io::ComponentDescription& component, const SizedValue& size) {
   const auto given = component.units.find(size.unit);
   if (given != component.units.end() || component.units.empty()) {
