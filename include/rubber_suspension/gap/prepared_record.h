@@ -1,4 +1,4 @@
-// Defines a record for fits, with possible errors of its rig and its weight.
+// Defines a record for fits, with possible errors of its rig and its weight. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>

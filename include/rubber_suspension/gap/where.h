@@ -1,4 +1,4 @@
-// Divides the squared gap among logs, frequencies, amplitudes and quantities.
+// Divides the squared gap among logs, frequencies, amplitudes and quantities. Throws nothing.
 #pragma once
 
 #include <Eigen/Core>

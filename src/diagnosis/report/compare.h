@@ -9,7 +9,7 @@ namespace rubber_suspension::diagnosis::report {
 
 class EarlierReport {
  public:
-  /// Reads the report. Throws std::runtime_error if the file cannot be read or is no report of `diagnose`.
+  /// Reads the report. Throws std::runtime_error of one line if it cannot be read or is no report of `diagnose`.
   explicit EarlierReport(const std::string& path);
   /// Compares verdict, gaps, sizes, findings about the rig and where the gap lies. Two sizes or findings differ if
   /// their 95 % intervals do not overlap. Two gaps (or parts of gaps) differ if their difference exceeds the sum of

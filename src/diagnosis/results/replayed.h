@@ -36,8 +36,9 @@ std::vector<gap::PartError> unseenErrors(const fit::Fitter& fitter, const Fitted
 /// States whether all logs were recorded on one component, which relaxes between them, or each log on a new one.
 enum class Recorded { on_one_component, each_on_a_new_one };
 
-/// Returns the gap of each list of elements on whole logs as `replay` computes it: the RMS of the gaps of all logs.
-/// Reads each log once, block by block. Throws LogError if a log has no force or has become shorter since its survey.
+/// Returns the gap of each list of elements on whole logs at even time steps, as `replay` computes it: the RMS of
+/// the gaps of all logs. Reads each log once, block by block. Throws LogError if a log has no force or has become
+/// shorter since its survey.
 std::vector<double> recordedGaps(const std::vector<std::vector<element::ElementDescription>>& models,
                                  const std::vector<prepare::LogSurvey>& logs, Recorded recorded, int threads);
 
