@@ -72,8 +72,8 @@ ordered_json diagnosisValues(const diagnosis::Diagnosis& d) {
 }
 
 // Returns true if the re-estimated values are meaningful. A wrong sign, unit or column makes them meaningless, and an
-// unexplained residual biases them. With an added effect they depend on its form, so that they count only if other
-// parameter values alone would also explain the logs.
+// unexplained residual biases them. With an added effect, the values depend on the form of the effect, and count only
+// if other values alone would also explain the logs.
 bool hasValuesOfItsOwn(const diagnosis::Diagnosis& d) {
   const bool other_values_do =
       std::any_of(d.answer.alternatives.begin(), d.answer.alternatives.end(), [](const diagnosis::Alternative& other) {

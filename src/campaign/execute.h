@@ -11,7 +11,8 @@
 namespace rubber_suspension::campaign {
 
 /// Returns a function that executes a job and writes its report and record. Errors of the job are stored in the record.
-/// The function caches files, and the manifest must outlive it. It throws if the computer lacks memory or disk space.
+/// The function caches files, and throws if the computer lacks memory or disk space. The manifest must outlive the
+/// function.
 std::function<Record(const Job&)> executorOf(const std::string& folder, const Manifest& manifest,
                                              const LogReader& read_log);
 

@@ -21,8 +21,8 @@ struct Shard {
 /// Parses "3/8", the third of eight shards. Throws std::invalid_argument that states what is accepted.
 Shard parseShard(const std::string& text);
 
-/// Default time limit of a job [min]. It is meant for jobs that would never end: a diagnosis searches at most 300,000
-/// samples, however long its logs are, which takes some minutes.
+/// Default time limit of a job [min]. The limit is meant for jobs that would never end: a diagnosis takes some minutes
+/// however long its logs are, because it searches at most 300,000 samples.
 constexpr double kJobMinutes = 240.0;
 
 struct RunOptions {

@@ -20,7 +20,7 @@ enum class JobEnd : char {
 
 struct PoolCallbacks {
   /// Called once in each worker process. Returns the function that executes a job. That function returns the error of
-  /// the job, or an empty text. It throws std::bad_alloc to leave the job undone; other exceptions end the run.
+  /// the job, or an empty text, and throws std::bad_alloc to leave the job undone. Other exceptions end the run.
   std::function<std::function<std::string(std::size_t job)>()> start_worker;
   /// Called in this process. `reason` is the error, or a text such as "the process was ended by signal 11 (...)".
   std::function<void(std::size_t job, JobEnd end, const std::string& reason)> ended;

@@ -30,8 +30,8 @@ class LogDriver {
   /// the piece is simulated as one step, as in `replay` and the node.
   void drive(const log::EvenBlocks::Piece& piece, double dt, double* force);
 
-  /// Returns the force over a whole record [N] that this displacement [m] causes. A displacement that is longer than
-  /// the record begins earlier; until the record begins, temperature and displacement across have their first value.
+  /// Returns the force over a whole record [N] for this displacement [m]. If the displacement is longer than the
+  /// record, it begins earlier, and temperature and displacement across have their first value until the record begins.
   Eigen::VectorXd over(const log::Record& record, const Eigen::VectorXd& displacement, Before before);
 
  private:

@@ -55,9 +55,10 @@ std::vector<PartError> partErrors(const std::vector<PreparedRecord>& records,
                                   const std::vector<Eigen::VectorXd>& simulated,
                                   const std::vector<OwnUnknowns>& own = {});
 
-/// Returns the noise floor of a record as a gap. It is the white noise in the residual of a model [N] above three times
-/// the highest frequency of the displacement, or above 0.3 times the sampling rate if that is lower. The measured force
-/// limits it, because the force of a mass under a noisy displacement has more noise.
+/// Returns the noise floor of a record as a gap. The floor is the white noise in the residual of a model [N] above
+/// three times the highest frequency of the displacement, or above 0.3 times the sampling rate if that is lower. It is
+/// no larger than the noise of the measured force there, because the force of a mass under a noisy displacement has
+/// more noise.
 double whiteNoiseFloor(const log::Record& record, const Eigen::VectorXd& residual);
 
 }  // namespace rubber_suspension::gap

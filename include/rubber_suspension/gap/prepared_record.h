@@ -23,7 +23,7 @@ struct RigPrior {
   double displacement_zero = 0.0;
 };
 
-/// States which errors of the rig a single log has. They may have any size and are fitted with every model.
+/// States which errors of the rig a single log has. These errors may have any size and are fitted with every model.
 struct OwnErrors {
   bool gain = false;  ///< gain of the force channel
   bool zero = false;  ///< offset of the force

@@ -17,9 +17,9 @@ namespace rubber_suspension::gap {
 /// shift. `first` is the index of the first sample if the log is a part of another log.
 void checkTemperature(const component::Component& component, const log::Log& log, std::size_t first = 0);
 
-/// Returns the force [N] at every sample of a log. It is computed by the same stream as in the node, and equals the
-/// force of the node to the last bit. The component is new and at rest at the first displacement and temperature of the
-/// log. Shows progress on a terminal. `counters`, if given, receives the counters of the stream. Throws LogError as
+/// Returns the force [N] at every sample of a log. The force is computed by the same stream as in the node, and equals
+/// the force of the node to the last bit. The component is new and at rest at the first displacement and temperature of
+/// the log. Shows progress on a terminal. `counters`, if given, receives the counters of the stream. Throws LogError as
 /// checkLog does, if a force is not finite, and if a temperature is outside the range of the component's shift.
 std::vector<double> simulateLog(const component::Component& component, const log::Log& log,
                                 component::StreamCounters* counters = nullptr);

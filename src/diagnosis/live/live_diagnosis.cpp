@@ -216,7 +216,7 @@ bool LiveDiagnosis::lookIsDue() const {
   const std::int64_t now = samples_.back().stamp;
   const std::int64_t begin = windowBegin();
   const double pause = std::clamp(0.5 * last_window_, kShortestPause, settings_.longest_pause);
-  const bool is_new = seconds(last_look_ - regime_begin_) < settings_.shortest_window;  // no look has covered it
+  const bool is_new = seconds(last_look_ - regime_begin_) < settings_.shortest_window;  // no look covers the regime
   return seconds(now - begin) >= settings_.shortest_window && (is_new || seconds(now - last_look_) >= pause);
 }
 

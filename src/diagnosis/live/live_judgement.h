@@ -15,8 +15,8 @@
 
 namespace rubber_suspension::diagnosis::live {
 
-/// Evidence from bets on blocks that no fit has used. The claimed model is fixed before a block is measured. It wins
-/// the block if its squared error is smaller than that of the configured model and that of the re-estimated model.
+/// Evidence from bets on blocks that no fit has used. The claimed model is fixed before a block is measured. The model
+/// wins the block if its squared error is smaller than that of the configured model and that of the re-estimated model.
 /// Suppose that one of these two models is right. The force of the claimed model then differs from the true force by
 /// some d, and its squared error by sum(d^2) - 2 sum(d n), with the noise n of the block. If noise is as likely to be n
 /// as -n, a claimed model wins with a probability of at most 1/2. The factor

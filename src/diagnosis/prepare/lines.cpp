@@ -223,8 +223,8 @@ struct LineLog {
   std::vector<Line> motion;
 };
 
-// Returns true if every log that should show the line does, and if the evidence of all logs together outweighs the low
-// prior probability of a line at any one of the frequencies.
+// Returns true if the line is found in every log that should show it, and if the evidence of all logs together
+// outweighs the low prior probability of a line at any one of the frequencies.
 bool isOfRig(const Line& line, const std::vector<LineLog>& logs) {
   double evidence = -kRare;
   double frequencies = 1.0;

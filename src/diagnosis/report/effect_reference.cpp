@@ -11,8 +11,9 @@
 namespace rubber_suspension::diagnosis::report {
 namespace {
 
-// Returns the excitation of a spring of 3 MN/m at 2 mm and up to 10 Hz, for a minute, from 10 to 40 degC. It is in
-// tension only, so that a contact that opens is a candidate. Candidates depend on no other property of an excitation.
+// Returns the excitation of a spring of 3 MN/m at 2 mm and up to 10 Hz, for a minute, from 10 to 40 degC. The motion is
+// in tension only, so that a contact that opens is a candidate. Candidates depend on no other property of an
+// excitation.
 fit::Excitation typicalExcitation() {
   fit::Excitation excitation;
   excitation.largest_displacement = 2e-3;

@@ -46,8 +46,9 @@ class NewReport {
     files_.back().second->write(text);
   }
 
-  // Removes files of an earlier report that this report lacks, because they would seem to belong to it. The caller has
-  // checked that the package wrote them. The page is removed first, because it refers to the other files.
+  // Removes files of an earlier report that this report lacks, because they would seem to belong to this report. The
+  // caller has checked that the package wrote these files. The page is removed first, because it refers to the other
+  // files.
   void commit() {
     io::removePage((folder_ / kPage).string());
     for (const std::string& name : reportFiles()) {

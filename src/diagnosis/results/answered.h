@@ -25,7 +25,7 @@ struct Left {
 /// the answer closes, with the interval of this fraction for further logs.
 Gaps gapsOf(const Left& left, const Workings& workings, const DiagnosisOptions& options);
 
-/// Returns the result of each effect when it is the only one, in descending order of probability.
+/// Returns the results of the models with a single effect, the most probable effect first.
 std::vector<CandidateResult> candidateResults(const Left& left, const Gaps& gaps, const Workings& workings,
                                               const DiagnosisOptions& options);
 

@@ -30,8 +30,8 @@ namespace {
 // A residual above this share of the force conceals errors of the rig.
 constexpr double kHidesTheRig = 0.1;
 
-// Returns the share of the samples whose displacement repeats that of one period before, for the period with the most
-// repeats. The repeats distinguish noise from model error without a model.
+// Returns the share of the samples at which the displacement has the same value as one period before, for the period
+// with the most repeats. The repeats distinguish noise from model error without a model.
 double repeatsOf(const log::Record& record) {
   constexpr double kSame = 0.05;  // displacements that differ by fewer standard deviations are repeats
   constexpr Eigen::Index kCoarse = 1024;
@@ -176,7 +176,7 @@ class Describer {
     return result;
   }
 
-  // Returns the errors of the rig in each log, from the residuals of the judged model and of the next likely one.
+  // Returns the errors of the rig in each log, from the residuals of the judged model and of the next likely model.
   // Returns none if the residual is a fault of the model (leavesMoreThanItExplains()).
   std::vector<measurement::RigFinding> findingsOfRig() const {
     std::vector<measurement::RigFinding> findings;
@@ -247,8 +247,8 @@ class Describer {
     fit::parallelFor(gaps.size(), options_.threads, [&](std::size_t c) {
       FittedLaw alone = fullLaw(search_.singles[c]);
       if (hasUnseenLogs() && &search_.singles[c] != &judged_) {
-        // An effect that is not named explains drifts and gains only as far as a simulation predicts them. If they were
-        // fitted to each log, they would absorb slow noise or an error of the law.
+        // An effect that is not named explains drifts and gains only as far as a simulation predicts them. Fitted to
+        // each log, drifts and gains would absorb slow noise or an error of the law.
         alone.law.about.free_in_log = {};
       }
       gaps[c] = gap::gapOfParts(

@@ -13,7 +13,7 @@
 namespace rubber_suspension::diagnosis::results {
 namespace {
 
-// Returns the gain of each record relative to the simulated force, without limiting it by a tolerance.
+// Returns the gain of each record relative to the simulated force, without a tolerance on the gain.
 std::vector<double> gainsBeside(const gap::Forces& simulated, std::vector<gap::PreparedRecord> records,
                                 const io::RigTolerances& tolerances) {
   for (gap::PreparedRecord& record : records) {

@@ -16,16 +16,16 @@ struct Replayed {
   std::vector<gap::PartError> of_the_fit;  ///< on blocks that took no part in the fit
   std::vector<gap::PartError> held_out;    ///< on the held-out logs; empty if there are none
 
-  /// Returns the errors from which gaps are computed: those on held-out logs if there are any.
+  /// Returns the errors from which gaps are computed: `held_out`, or `of_the_fit` if there are no held-out logs.
   const std::vector<gap::PartError>& unseen() const { return held_out.empty() ? of_the_fit : held_out; }
 };
 
 Entries elementsOf(const fit::ModelParameters& model, const FittedLaw& fitted);
 
 /// Returns the errors of a fitted law that is written as these elements, on the logs of the fit and on the held-out
-/// logs. On a log of the fit, they are the cross-validated errors plus the excess of the error of `replay` over that of
-/// the fitted forces. The causes of this excess are noise of the displacement and future samples, which a simulation
-/// does not have.
+/// logs. On a log of the fit, the errors are the cross-validated errors plus the excess of the error of `replay` over
+/// that of the fitted forces. The causes of this excess are noise of the displacement and future samples, which a
+/// simulation does not have.
 Replayed replayed(const fit::Fitter& fitter, const FittedLaw& fitted, const Entries& elements,
                   const std::vector<gap::PreparedRecord>& held_out);
 

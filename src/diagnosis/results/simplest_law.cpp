@@ -284,15 +284,15 @@ class Chooser {
   }
 
   // Returns true if the exact term is kept instead of a fitted element. The force of an exact term (BasisTerm::exact)
-  // is computed from later samples as well. Its element, such as a mass, cannot use these, and its refitted number
-  // compensates for that. The exact term is kept if it removes more than half of the squared error that the element
-  // removes.
+  // is computed from later samples as well. Its element, such as a mass, cannot use later samples, and its refitted
+  // number compensates for that. The exact term is kept if it removes more than half of the squared error that the
+  // element removes.
   bool isExactEnough(std::size_t m, double gap_of_fitted) const {
     return hasExactForce(m) && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
   }
 
-  // Returns the odds of `other` relative to `chosen` as the judgement does, from the errors above that of the better
-  // law. The count of numbers does not matter, because it is no evidence on the size of the effect.
+  // Returns the odds of `other` relative to `chosen`. As in the judgement, only errors above that of the better law
+  // count. The number of parameters does not count, because it is no evidence on the size of the effect.
   double oddsOver(const Allowed& chosen, const Allowed& other) const {
     const judge::JudgeNumbers& numbers = judge::fittedNumbers();
     const double least = std::pow(std::min(chosen.gap, other.gap), 2);
@@ -302,8 +302,9 @@ class Chooser {
     return std::exp(logWeight(other) - logWeight(chosen));
   }
 
-  // Returns true if the larger law of the same element reduces the squared gap by more than the squared accepted error
-  // per additional number. The smaller law then has wrong numbers, because they compensate for what it lacks.
+  // Returns true if a law of the same element with more numbers reduces the squared gap by more than the squared
+  // accepted error per additional number. The numbers of the smaller law are then wrong: they compensate for missing
+  // ones.
   static bool tellsMore(std::size_t m, const Allowed& larger, const Allowed& smaller) {
     const Entries& of_larger = larger.law.law.members[m].start;
     const Entries& of_smaller = smaller.law.law.members[m].start;

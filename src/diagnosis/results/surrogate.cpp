@@ -68,7 +68,7 @@ double chanceOf(const std::vector<fit::UnseenBlock>& unseen, double noise_floor,
 
 constexpr std::size_t kCells = 32;  // number of cells along each axis of the map
 constexpr int kFewestSamples = 5;   // least number of samples in a cell with a value
-constexpr double kFastest = 0.995;  // share of samples within the map; a few fast samples would stretch it
+constexpr double kFastest = 0.995;  // share of samples within the map; a few fast samples would stretch the map
 constexpr std::size_t kVelocitySamples = 20000;
 
 std::vector<double> evenEdges(double low, double high) {

@@ -17,9 +17,9 @@ struct SurrogateLogs {
   const std::vector<gap::PreparedRecord>& held_out;
 };
 
-/// Fits a surrogate to the residual of a component, and judges whether the residual is a function of the motion. It is
-/// one if surrogates predict the residual on logs that they were not fitted to (on blocks, if there are fewer than
-/// three logs). `noise_floor` is a gap. Surrogate::gap is not set.
+/// Fits a surrogate to the residual of a component, and judges whether the residual is a function of the motion. The
+/// test is whether surrogates predict the residual on logs that they were not fitted to (on blocks, if there are fewer
+/// than three logs). `noise_floor` is in the unit of a gap. Surrogate::gap is not set.
 Surrogate fitSurrogate(const io::ComponentDescription& component, const SurrogateLogs& logs, double noise_floor,
                        int threads);
 

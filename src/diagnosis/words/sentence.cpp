@@ -35,7 +35,7 @@ std::string otherwise(const Diagnosis& diagnosis) {
   return texts.empty() ? "" : " It may also be " + enumerated(texts) + ".";
 }
 
-// Texts of a change of the gap and of the noise, with as many decimals (up to three) as distinguish both values.
+// Texts of the gap before and after a change, and of the noise. Up to three decimals distinguish before and after.
 struct ChangeTexts {
   ChangeTexts(double from, double to, double floor) {
     int decimals = 1;
@@ -206,7 +206,7 @@ std::vector<std::string> openTexts(const Diagnosis& diagnosis, std::size_t most)
   return texts;
 }
 
-// Returns the share of the gap as configured that the values remove. It is the first in the list.
+// Returns the share of the gap as configured that the values remove: the first share in the list.
 double shareOfValues(const Diagnosis& diagnosis) {
   return diagnosis.shares.empty() ? 0.0 : diagnosis.shares.front().share;
 }
