@@ -173,7 +173,7 @@ class BlockSpectra {
 
   double width_ = 0.0;
   Eigen::ArrayXXcd spectra_;  // complex amplitudes; one row per block, one column per frequency
-  ArrayXd power_;             // mean squared amplitude at each frequency, averaged over the blocks
+  ArrayXd power_;             // squared amplitude at each frequency, averaged over the blocks
 };
 
 // Returns the smallest k for which k times `base` appears at this frequency, directly or as an alias, or else 0.

@@ -20,8 +20,9 @@ struct MeasuredLaw {
 MeasuredLaw writtenLaw(const hypotheses::PreparedCase& prepared, const hypotheses::Search& search,
                        const hypotheses::FittedHypothesis& judged, double before, const DiagnosisOptions& options);
 
-/// Returns the written numbers with texts in the units of the configured file. A number that equals the configured one
-/// is exact. Other numbers are rounded to a tenth of half their interval, or with `finer` more digits.
+/// Returns the written numbers with texts in the units of the configured file. The text of a number that equals the
+/// configured number is exact. Other numbers are rounded to a tenth of half their interval, or with `finer` more
+/// digits.
 std::vector<SizedValue> rounded(std::vector<SizedValue> written, const io::ComponentDescription& component, int finer);
 
 /// Returns the component in a file with these texts. Throws std::invalid_argument if a number is out of its range.
