@@ -1,4 +1,4 @@
-// Quantity and unit in the name of a column.
+// Recognises the quantity and the unit in the name of a column.
 #include "log/column_name.h"
 
 #include <fmt/format.h>
@@ -19,10 +19,10 @@ struct QuantityNames {
   Quantity quantity;
   const char* name;
   const char* unit;
-  std::vector<std::string> words;    // in lower case
-  std::vector<std::string> others;   // that name it if no other column does
-  std::vector<std::string> units;    // that this package writes behind the name
-  std::vector<std::string> defined;  // names that a file format defines in this unit
+  std::vector<std::string> words;    // names of the quantity in lower case
+  std::vector<std::string> others;   // names that count only if no column has one of `words`
+  std::vector<std::string> units;    // units with which this package writes the name
+  std::vector<std::string> defined;  // names to which a file format assigns the SI unit
 };
 
 const std::vector<QuantityNames>& quantityTable() {
@@ -34,7 +34,7 @@ const std::vector<QuantityNames>& quantityTable() {
         "date & time", "datum/uhrzeit", "datum uhrzeit", "x_value", "%time"},
        {"date", "datum"},
        {"s"},
-       {"x_value", "timestamps"}},  // in LabVIEW's .lvm; in MDF exported to HDF5
+       {"x_value", "timestamps"}},  // x_value in LabVIEW's .lvm, timestamps in MDF exported to HDF5
       {Quantity::displacement,
        "displacement",
        "m",
@@ -60,7 +60,7 @@ std::optional<Quantity> quantityWith(const std::string& bare, std::vector<std::s
   return std::nullopt;
 }
 
-// Units that may follow an underscore in any name. Others are too easily a word: "displacement_in", "phase_a".
+// Returns true for units that may follow an underscore in any name. Other units are words, too: "displacement_in".
 bool isPlainSuffix(const std::string& unit) {
   static const std::array<const char*, 16> kUnits = {"s",  "ms", "us", "m",   "cm",  "mm",  "um",   "N",
                                                      "kN", "MN", "Nm", "kNm", "rad", "deg", "degC", "lbf"};
@@ -81,8 +81,8 @@ bool isKnownUnit(const std::string& unit) {
          (isUnit(unit) || quantityOfUnit(unit).has_value() || spelledUnit(unit, "N m") != unit);
 }
 
-// True if the unit in a name may be that of a column with the other unit below, or of a quantity of a log. "Position
-// (A)" above "mm" is no current.
+// Returns true if the unit in a name is credible: it measures a quantity of a log, or the same as the unit in the cell
+// below. In "Position (A)" above "mm", A is not the unit ampere.
 bool mayMeasure(const std::string& unit, const std::string& other) {
   return quantityOfUnit(unit).has_value() || converts(unit, other);
 }
@@ -102,8 +102,8 @@ std::string withoutBrackets(const std::string& text) {
   return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-// Splits a name into the part up to `end` and the unit from `begin` on, if that is a unit. Brackets behind the name of
-// a quantity are split off even if their text is no unit.
+// Splits a name into the part before `end` and the unit from `begin` on. Returns false if the second part is not a
+// unit. Brackets behind the name of a quantity are split off even if they do not contain a known unit.
 bool splitAt(ColumnName& name, std::size_t end, std::size_t begin) {
   const std::string unit = withoutBrackets(trimmed(name.text.substr(begin)));
   const std::string bare = trimmed(name.text.substr(0, end));
@@ -131,7 +131,7 @@ bool splitMark(ColumnName& name, const std::string& mark) {
   return at != std::string::npos && splitAt(name, at, at + mark.size());
 }
 
-// True for a unit of the quantity that the name denotes. A mass behind a force is one as well, and is refused later.
+// Returns true for a unit of the quantity that the name denotes. A mass behind a force is accepted and refused later.
 bool isSuffixOf(const std::string& bare, const std::string& suffix) {
   const auto named = quantityOfName(bare);
   const auto quantity = named ? named : quantityOfOtherName(bare);
@@ -141,7 +141,7 @@ bool isSuffixOf(const std::string& bare, const std::string& suffix) {
           converts(*unit, rowOf(*quantity).unit) || (*quantity == Quantity::force && converts(*unit, "kg")));
 }
 
-// Splits a unit off behind a mark. A number is no name, as in "10 mm".
+// Splits off a unit behind a mark. Returns false for a number with a unit, such as "10 mm".
 bool splitSuffix(ColumnName& name, char mark) {
   const std::size_t at = name.text.rfind(mark);
   if (at == std::string::npos || name.text.find_first_not_of("0123456789.,+- ") >= at) {
@@ -151,7 +151,7 @@ bool splitSuffix(ColumnName& name, char mark) {
   return (isPlainSuffix(suffix) || isSuffixOf(name.text.substr(0, at), suffix)) && splitAt(name, at, at + 1);
 }
 
-// Splits "F/kN" and "s/mm", but neither "N/mm" nor "Stiffness N/mm", where the unit begins earlier.
+// Splits "F/kN" and "s/mm", but neither "N/mm" nor "Stiffness N/mm", in which the slash belongs to the unit.
 bool splitSlash(ColumnName& name) {
   const std::string before = name.text.substr(0, name.text.find('/'));
   return before.find(' ') == std::string::npos && (before == "s" || !isPlainSuffix(before)) && splitSuffix(name, '/');
@@ -235,7 +235,7 @@ std::optional<Quantity> quantityOfUnit(const std::string& unit) {
     try {
       UnitConversion(spelledUnit(unit, row.unit), row.unit);
       return row.quantity;
-    } catch (const std::invalid_argument&) {  // measures something else
+    } catch (const std::invalid_argument&) {  // the unit measures another quantity
       continue;
     }
   }

@@ -1,4 +1,4 @@
-// A log from a file of whole columns.
+// Makes a log from a file of whole columns.
 #include "log/column_table.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-// Columns that make one log.
+// The columns of one log.
 struct ColumnSegment {
   std::string name;
   std::vector<ColumnName> names;
@@ -30,7 +30,7 @@ struct ColumnSegment {
   std::vector<std::size_t> places;
 };
 
-// Columns that share a time, read part by part.
+// Reads, part by part, columns that share one column of time.
 class Cursor {
  public:
   Cursor(const ColumnFile& file, const std::vector<std::size_t>& places, const Column& time, std::size_t length)
@@ -42,7 +42,7 @@ class Cursor {
   std::size_t length() const { return length_; }
   bool atEnd() const { return next_ == length_; }
 
-  /// Reads the next part of at most this many elements when the last one is consumed.
+  /// Reads the next part, of at most `part` elements, once all elements of the present part are used.
   void load(std::size_t part) {
     if (atEnd() || next_ < end_) {
       return;
@@ -55,7 +55,7 @@ class Cursor {
     }
   }
 
-  /// Returns the stamp of the next element; nullopt if it was not measured. Throws RowError.
+  /// Returns the stamp of the next element; nullopt if the element has no finite time. Throws RowError.
   std::optional<std::int64_t> stamp(std::string& reason) const {
     if (times_.empty() || !isNumber(times_[next_ - begin_], time_, reason)) {
       return std::nullopt;
@@ -67,7 +67,7 @@ class Cursor {
     }
   }
 
-  /// Adds the values of the next element to a row and moves on to the element after it.
+  /// Adds the values of the next element to a row and advances to the element after it.
   void take(SampleRow& row) {
     row.place = next_ + 1;
     for (const Read& read : columns_) {
@@ -117,7 +117,7 @@ class Cursor {
   std::size_t next_ = 0;
 };
 
-// Reads the columns of a log part by part. Columns of a group with its own time use that time.
+// Reads the columns of a log part by part. A group of columns with a time of its own uses that time.
 class ColumnReader {
  public:
   ColumnReader(const ColumnSegment& segment, const ColumnTable& table, const LogFormat& format)
@@ -146,7 +146,7 @@ class ColumnReader {
 
   std::size_t samples() const { return cursors_.front().length(); }
 
-  /// Passes the log to `take` in blocks of at least `part` samples until that returns false.
+  /// Passes the log to `take` in blocks of at least `part` samples until `take` returns false.
   void read(std::size_t part, const std::function<bool(Log& block)>& take) {
     Log block;
     try {
@@ -165,7 +165,7 @@ class ColumnReader {
     }
   }
 
-  /// Returns the notes once all is read.
+  /// Returns the notes, which are complete once all samples are read.
   std::vector<std::string> notes() const {
     std::vector<std::string> notes = notes_;
     if (!table_.is_own && !areCanonical(columns_)) {
@@ -194,7 +194,7 @@ class ColumnReader {
     (own_time.found() ? cursors_.back() : cursors_.front()).add(column, signal);
   }
 
-  // Returns the time in a group other than the displacement's; none if the time of the displacement holds.
+  // Returns the time column in the group of a column; none if the time of the displacement applies to the group.
   Column timeBeside(const Column& column) const {
     const std::string& group = segment_.groups[column.index];
     if (format_.rate || !columns_.time.found() || group == segment_.groups[columns_.displacement.index]) {
@@ -224,7 +224,7 @@ class ColumnReader {
     }
   }
 
-  // Adds the next row of all cursors by their stamps; returns false behind the last.
+  // Adds the next row by merging all cursors in the order of their stamps. Returns false at the end of the columns.
   bool readRow(std::size_t part, Log& block) {
     SampleRow row;
     std::optional<std::int64_t> first;
@@ -270,7 +270,7 @@ class ColumnReader {
   Columns columns_;
   UnitsAre units_;
   SampleRules rules_;
-  std::vector<Cursor> cursors_;  // that of the displacement is the first
+  std::vector<Cursor> cursors_;  // the first cursor is that of the displacement
   std::vector<std::string> notes_;
 };
 
@@ -286,7 +286,7 @@ ColumnSegment segmentWhere(const ColumnTable& table, const std::string& group) {
   return segment;
 }
 
-// Returns each group that contains a log if several do; otherwise all columns together.
+// Returns a segment for each group that contains a log if there are several; otherwise one segment of all columns.
 std::vector<ColumnSegment> segmentsOf(const ColumnTable& table, const LogFormat& format) {
   std::vector<ColumnSegment> segments;
   std::set<std::string> seen;

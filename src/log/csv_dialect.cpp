@@ -1,4 +1,4 @@
-// Dialect of a text file: separator, decimal mark, preamble, header, row of units.
+// Finds the dialect of a text file: separator, decimal mark, preamble, header, row of units.
 #include "log/csv_dialect.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-// Name of a separator, and its characters, one or two.
+// The name of a separator and the one or two characters that represent it.
 struct SeparatorInfo {
   const char* name;
   std::string_view marks;
@@ -35,7 +35,7 @@ Field makeField(std::string_view text) {
   return {quoted ? trimmedView(text.substr(1, text.size() - 2)) : text, quoted};
 }
 
-// Returns the end of the field at `begin`. A quote within a field that does not begin with one is text.
+// Returns the end of the field that begins at `begin`. A quote inside a field that does not begin with a quote is text.
 std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separator) {
   const std::size_t first = line.find_first_not_of(kBlanks, begin);
   const char mark = infoOf(separator).marks.front();
@@ -43,7 +43,7 @@ std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separat
   bool in_quotes = first != std::string_view::npos && line[first] == '"';
   for (std::size_t i = in_quotes ? first + 1 : begin; i < line.size(); ++i) {
     if (line[i] == '"' && in_quotes) {
-      in_quotes = i + 1 < line.size() && line[i + 1] == '"';  // a doubled quote is one within the text
+      in_quotes = i + 1 < line.size() && line[i + 1] == '"';  // a doubled quote stands for one quote in the text
       i += in_quotes ? 1 : 0;
     } else if (!in_quotes && (line[i] == mark || line[i] == other_mark)) {
       return i;
@@ -52,7 +52,7 @@ std::size_t fieldEnd(std::string_view line, std::size_t begin, Separator separat
   return line.size();
 }
 
-// Joins a unit in brackets to its name: between blanks, "Time [s]" is two words.
+// Joins a unit in brackets to the name before it, because blanks split "Time [s]" into two words.
 void joinUnits(std::vector<Field>& fields) {
   std::vector<Field> joined;
   for (const Field& field : fields) {
@@ -67,7 +67,7 @@ void joinUnits(std::vector<Field>& fields) {
   fields = joined;
 }
 
-// Splits a line into names of several words each, which two blanks or more separate.
+// Splits a line into names of several words, which are separated by two or more blanks or by a tab.
 std::vector<Field> splitAtWideGaps(std::string_view line) {
   std::vector<Field> fields;
   line = trimmedView(line);
@@ -85,7 +85,8 @@ std::vector<Field> fieldsOf(std::string_view line, Separator separator) {
   return fields;
 }
 
-// Returns the names in a line. If blanks separate them, they are split at wide gaps if that gives `count` names.
+// Returns the names in a line. If the separator is blanks and the number of words is not `count`, the line is split at
+// wide gaps, provided that this gives `count` names.
 std::vector<Field> namesIn(std::string_view line, Separator separator, std::size_t count) {
   std::vector<Field> fields = fieldsOf(line, separator);
   if (separator == Separator::blanks) {
@@ -94,7 +95,7 @@ std::vector<Field> namesIn(std::string_view line, Separator separator, std::size
     return fields.size() != count && wide.size() == count ? wide : fields;
   }
   while (fields.size() > 1 && fields.back().text.empty()) {
-    fields.pop_back();  // a separator at the end of the line
+    fields.pop_back();  // the line ends in a separator
   }
   return fields;
 }
@@ -111,7 +112,7 @@ bool anyNumber(const std::vector<Field>& fields) {
   return std::any_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });
 }
 
-// True for a row of types of columns below their names, as INCA writes it: "f8;f4".
+// Returns true for a row with the data types of the columns, such as "f8;f4", which INCA writes below the names.
 bool isRowOfTypes(std::string_view line) {
   static const std::regex kType(
       "[fiub](1|2|4|8|16|32|64)|float|double|single|real|int(8|16|32|64)?|uint(8|16|32|64)?|"
@@ -122,12 +123,12 @@ bool isRowOfTypes(std::string_view line) {
          });
 }
 
-// True for a header whose first cell is a number of the test piece, without a unit below it.
+// Returns true for a header whose first cell contains the number of the test piece. No unit stands below such a cell.
 bool isBeneathCorner(const std::vector<Field>& fields, const std::vector<std::string>& units) {
   return !units.empty() && units[0].empty() && !anyNumber({fields.begin() + 1, fields.end()});
 }
 
-// Returns the fields below the names of `count` columns; empty if they are no row of units.
+// Returns the cells below the names of `count` columns; empty if the line is not a row of units.
 std::vector<std::string> cellsBelow(std::string_view line, Separator separator, std::size_t count) {
   std::vector<std::string> cells;
   bool any_unit = false;
@@ -152,7 +153,7 @@ std::vector<ColumnName> columnNames(const std::vector<Field>& fields, const std:
   return names;
 }
 
-// Returns the columns that the user gave by number, from 0; empty if one is given by name.
+// Returns the columns that the user gave by number, counted from 0; empty if the user gave a column by name.
 std::vector<std::size_t> numbersToldIn(const LogFormat& format) {
   std::vector<std::size_t> places;
   for (const LogFormat::Channel& channel : format.of) {
@@ -214,7 +215,7 @@ bool isNumberField(std::string_view text) {
   std::string number(withoutGroupMarks(withSignJoined(text.substr(0, kLongest), signed_number), joined));
   std::replace(number.begin(), number.end(), ',', '.');
   for (std::size_t mark = number.find('.'); mark != number.rfind('.'); mark = number.find('.')) {
-    number.erase(mark, 1);  // between thousands
+    number.erase(mark, 1);  // the mark separates thousands
   }
   return text.size() <= kLongest && (parseNumber(number).has_value() || isTimeText(text));
 }
@@ -229,7 +230,7 @@ std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {
     return std::nullopt;
   }
   lines_.push_back({line.number, toUtf8(line.text)});
-  // Two lines must follow the candidate: a row of units, if any, and a row.
+  // A header is confirmed by the two lines after it, because the first of them may be a row of units.
   return lines_.size() < 3 ? std::nullopt : candidate(lines_.size() - 3);
 }
 
@@ -260,7 +261,7 @@ std::optional<CsvHeader> HeaderFinder::candidate(std::size_t i) const {
   return std::nullopt;
 }
 
-// The first row determines the number of names that blanks separate.
+// The number of fields in the first row of numbers decides how blanks split the names.
 std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_follow) const {
   const std::size_t following = i + (units_follow ? 2 : 1);
   const std::string_view line = withoutCommentMark(lines_[i].text);
@@ -292,10 +293,10 @@ std::optional<CsvHeader> HeaderFinder::namedColumns(std::size_t i, bool units_fo
 
 bool HeaderFinder::confirmed(const CsvHeader& header, bool in_comment, std::size_t following) const {
   if (following >= lines_.size()) {
-    return !in_comment;  // the file ends behind it
+    return !in_comment;  // the file ends behind the header
   }
   if (isComment(lines_[following].text)) {
-    return !in_comment;  // one of several comments is no header
+    return !in_comment;  // a comment that precedes another comment is no header
   }
   const std::vector<Field> fields = fieldsOf(lines_[following].text, header.separator);
   return fields.size() >= header.names.size() && anyNumber(fields);
@@ -329,14 +330,14 @@ std::optional<CsvHeader> HeaderFinder::numberedColumns(std::size_t i) const {
   return std::nullopt;
 }
 
-// Returns the units in a line of the preamble such as "Unit;s;mm;kN".
+// Returns the units in a line of the preamble such as "Unit;s;mm;kN"; empty if there is no such line.
 std::vector<std::string> HeaderFinder::unitsAbove(const CsvHeader& header, std::size_t line, std::size_t count) const {
   constexpr std::size_t kMostLines = 20;
   for (std::size_t i = line; i-- > 0 && line - i <= kMostLines;) {
     const std::vector<Field> fields = namesIn(withoutCommentMark(lines_[i].text), header.separator, 0);
     if (fields.size() > 1 && lowerCase(std::string(fields[0].text)).find("unit") != std::string::npos) {
       std::vector<std::string> units = cellsBelow(withoutCommentMark(lines_[i].text), header.separator, fields.size());
-      if (units.size() == count + 1) {  // the label has a cell of its own
+      if (units.size() == count + 1) {  // the label "Unit" has a cell of its own
         units.erase(units.begin());
       } else if (!units.empty()) {
         units[0].clear();
@@ -348,8 +349,8 @@ std::vector<std::string> HeaderFinder::unitsAbove(const CsvHeader& header, std::
   return {};
 }
 
-// Adds the names above the first row, with a row of units between or without. A line of numbers above is a row that
-// will be refused, so it is not skipped.
+// Adds the names in the lines above the first row to the header, and the units if a row of units lies in between. A
+// line of numbers directly above is taken as a row, so that reading it reports the error.
 void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   const std::size_t count = header.names.size();
   const auto fields_above = [&](std::size_t lines) {
@@ -375,7 +376,7 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   const bool two_rows = !units.empty() && are_names(second);
   std::vector<std::string> above = unitsAbove(header, row - 1, first.size());
   above.resize(above.empty() ? 0 : count);
-  first.resize(count);  // empty names where the rows end in separators
+  first.resize(count);  // a row may have more fields than the header has names
   second.resize(count);
   const bool units_alone = !two_rows && !units.empty() && std::all_of(units.begin(), units.end(), unitInField);
   for (std::size_t i = 0; i < count && units_alone; ++i) {
@@ -386,7 +387,7 @@ void HeaderFinder::addNamesAbove(CsvHeader& header, std::size_t row) const {
   header.line = lines_[row - (two_rows ? 2 : 1)].number;
 }
 
-// Interprets line i as a header, or as the row of units below one.
+// Interprets line i as a header, or as the row of units below a header.
 CsvHeader HeaderFinder::guessAt(std::size_t i) const {
   CsvHeader header;
   header.separator = separatorOf(lines_[i].text);
@@ -401,7 +402,8 @@ CsvHeader HeaderFinder::guessAt(std::size_t i) const {
   return header;
 }
 
-// Returns the line that explains best why no line is a header: the one directly above the first row of numbers.
+// Returns the line that is most likely meant to be the header, so that the error can refer to it. That is the line
+// directly above the first row of numbers, if there is one.
 CsvHeader HeaderFinder::bestGuess() const {
   const auto all_numbers = [](const std::vector<Field>& fields) {
     return std::all_of(fields.begin(), fields.end(), [](const Field& field) { return isNumberField(field.text); });

@@ -1,4 +1,4 @@
-// Dialect of a text file: separator, decimal mark, preamble, header, row of units.
+// Finds the dialect of a text file: separator, decimal mark, preamble, header, row of units.
 #pragma once
 
 #include <cstddef>
@@ -16,41 +16,41 @@ namespace rubber_suspension::log {
 
 /// One line of a file, unchanged.
 struct TextLine {
-  std::size_t number = 0;  ///< from 1
+  std::size_t number = 0;  ///< counted from 1
   std::string text;
 };
 
-/// The separator of fields; `blanks` are any number of blanks and tabs.
+/// The separator of fields. `blanks` stands for any number of blanks and tabs.
 enum class Separator { comma, semicolon, tab, blanks };
 
 std::string toString(Separator separator);
 
-/// Returns the separator of a line of names, by rank: beside a tab or a semicolon, commas and blanks are within fields.
+/// Returns the separator of a line of names: the first of tab, semicolon, comma and blank that the line contains.
 Separator separatorOf(std::string_view line);
 
-/// A field of a line: its text without blanks and quotes around it.
+/// A field of a line: its text without the blanks and quotes around it.
 struct Field {
   std::string_view text;
   bool quoted = false;
 };
 
-/// Splits a line into fields. Separators within quotes separate nothing. An empty line has one empty field.
+/// Splits a line into fields. Separators inside quotes are part of the text. An empty line has one empty field.
 void splitFields(std::string_view line, Separator separator, std::vector<Field>& fields);
 
-/// The header of a file and where its rows begin.
+/// The header of a file, and the line at which its rows begin.
 struct CsvHeader {
   Separator separator = Separator::comma;
   std::vector<ColumnName> names;
-  std::size_t line = 0;          ///< number of the line with the names; 0: none, columns are found by number
-  bool has_units_row = false;    ///< in the next line
-  bool comments_follow = false;  ///< a row may end in a comment, which has no name here, as in LabVIEW's files
+  std::size_t line = 0;          ///< number of the line with the names; 0 if the columns are given by number
+  bool has_units_row = false;    ///< true if the next line is a row of units
+  bool comments_follow = false;  ///< true if rows may end in a comment without a column, as in LabVIEW's files
   std::size_t next_line = 0;     ///< number of the first line that may be a row
 };
 
 /// Largest number of lines before the first row.
 constexpr std::size_t kMaximumHeadLines = 1000;
 
-/// Finds the header among the first lines of a file, by the names of the columns: lines before it are a preamble.
+/// Finds the header among the first lines of a file by the names of the columns. Lines before it are a preamble.
 class HeaderFinder {
  public:
   using LooksLikeHeader = std::function<bool(const std::vector<ColumnName>&)>;
@@ -58,18 +58,18 @@ class HeaderFinder {
   /// Finds the header of a log.
   explicit HeaderFinder(const LogFormat& format);
 
-  /// Finds a header whose names satisfy `looks`; `accepted`: their description for errors.
+  /// Finds a header whose names satisfy `looks`. `accepted` describes such names in errors.
   HeaderFinder(LooksLikeHeader looks, std::string accepted)
       : looks_like_header_(std::move(looks)), accepted_(std::move(accepted)) {}
 
-  /// Adds the next line; returns the header as soon as the lines behind it confirm it.
+  /// Adds the next line. Returns the header as soon as the lines after the header confirm it.
   std::optional<CsvHeader> add(const TextLine& line);
 
-  /// Returns the header of a file that ends here; `needs_row`: only one with a row behind it.
+  /// Returns the header of a file that has no further lines. If `needs_row` is true, a row has to follow the header.
   std::optional<CsvHeader> atEnd(bool needs_row) const;
 
-  /// Returns the header of a file that ends here, or the line that most looks like one. Throws std::runtime_error if
-  /// there is none.
+  /// Returns the header of a file without further lines, or else the line most similar to a header. Throws if there is
+  /// no such line.
   CsvHeader finish() const;
 
  private:
@@ -84,14 +84,14 @@ class HeaderFinder {
 
   LooksLikeHeader looks_like_header_;
   std::string accepted_;
-  std::vector<std::size_t> numbers_;  // columns that the user gave by number, from 0; else empty
+  std::vector<std::size_t> numbers_;  // columns that the user gave by number, counted from 0; otherwise empty
   std::vector<TextLine> lines_;       // lines that are neither blank nor rows of types, in UTF-8
 };
 
-/// Returns true for a line that is a comment: it begins with #, %, ! or //.
+/// Returns true if the line is a comment, which begins with #, %, ! or //.
 bool isComment(std::string_view line);
 
-/// Returns true for a number in decimal notation, with points and commas, or a time as a clock or a calendar shows it.
+/// Returns true for a decimal number, with points or commas, and for a time of day or a date with a time.
 bool isNumberField(std::string_view text);
 
 }  // namespace rubber_suspension::log

@@ -1,4 +1,4 @@
-// Reads a log from CSV.
+// Reads a log from text.
 #include <fmt/format.h>
 #include <stdlib.h>
 
@@ -30,8 +30,8 @@
 namespace rubber_suspension::log {
 namespace {
 
-// True for a field that instruments and spreadsheets write without a measurement: an empty one, words without a digit
-// such as Overrun, #N/A and --, and the C library's 1.#QNAN.
+// Returns true for the text that instruments and spreadsheets write in place of a missing number: an empty field, a
+// word without digits such as Overrun, #N/A or --, and 1.#QNAN of Microsoft's C library.
 bool isUnmeasured(const std::string& text) {
   return text.find_first_of("0123456789") == std::string::npos || text.find(".#") != std::string::npos;
 }
@@ -44,8 +44,8 @@ std::string reasonOf(const std::string& text, const Column& column) {
                        : quoted(text) + " is not a number");
 }
 
-// Finds where each field of a row begins, and one more place, so that field i ends one before field i+1 begins. Returns
-// false for a row with quotes, in which commas need not separate, or with signs apart from their digits.
+// Finds where each field of a row begins, and appends the position behind the last field, so that field i ends one
+// character before starts[i + 1]. Returns false for a row with quotes, or with a blank behind a sign.
 bool splitRow(const char* line, std::vector<const char*>& starts) {
   starts.clear();
   starts.push_back(line);
@@ -61,7 +61,6 @@ bool splitRow(const char* line, std::vector<const char*>& starts) {
   return true;
 }
 
-// Decimal marks that the user gave for single columns.
 std::vector<char> ownMarks(const LogFormat& format) {
   std::vector<char> marks;
   for (const LogFormat::Channel& channel : format.of) {
@@ -70,12 +69,12 @@ std::vector<char> ownMarks(const LogFormat& format) {
   return marks;
 }
 
-// Limits of a time without a unit in days since the end of 1899, as spreadsheets count them.
-constexpr long double kFirstDay = 20000.0L;  // in 1954
-constexpr long double kLastDay = 80000.0L;   // in 2119
+// A time without a unit counts days since the end of 1899, as in spreadsheets, if its value is between these limits.
+constexpr long double kFirstDay = 20000.0L;  // a day in 1954
+constexpr long double kLastDay = 80000.0L;   // a day in 2119
 constexpr long double kDaysBefore1970 = 25569.0L;
 
-// Number of lines of a kind, and the first of them.
+// The number of lines of some kind, and the first of these lines.
 struct Lines {
   std::size_t count = 0;
   std::size_t first = 0;
@@ -102,13 +101,13 @@ class CsvLogReader {
     return ended_ ? std::vector<std::string>() : std::move(logs_.front().notes);
   }
 
-  /// Returns the line that errors name.
+  /// Returns the number of the line to which errors refer.
   std::size_t line() const { return line_; }
 
   bool hasHandedOut() const { return handed_out_ > 0; }
 
  private:
-  // Keeps all rows if there is no `take`.
+  // Passes the samples to `take`, or keeps all of them if `take` is null.
   void readFile(const LogSource::Take* take) {
     take_ = take;
     std::vector<TextLine> head;
@@ -128,7 +127,7 @@ class CsvLogReader {
     }
   }
 
-  // Returns the next line; those that were read ahead to find a header come first.
+  // Returns the next line. The lines that were read ahead in search of a header come first.
   const char* nextLine() {
     if (read_ahead_.empty()) {
       line_ = reader_->line() + 1;
@@ -155,7 +154,7 @@ class CsvLogReader {
 
   bool isPastChosen() const { return format_.segment > 0 && segments_.size() >= format_.segment; }
 
-  // True if the present segment is requested.
+  // Returns true if the format requests the segment that is being read.
   bool isWanted() const {
     return format_.segment == kAllSegments || segments_.size() + 1 == std::max<std::size_t>(format_.segment, 1);
   }
@@ -168,7 +167,7 @@ class CsvLogReader {
     return found ? *found : finder.finish();
   }
 
-  // Reads lines until a header is found, the file ends or the head is too long; adds them to the head.
+  // Reads lines into `head` until a header is found, the file ends or `head` is too long.
   std::optional<CsvHeader> searchHeader(HeaderFinder& finder, std::vector<TextLine>& head) {
     std::optional<CsvHeader> header;
     for (const TextLine& line : head) {
@@ -185,7 +184,7 @@ class CsvLogReader {
     return header;
   }
 
-  // Begins a segment; its head may contain rows.
+  // Begins a segment. The lines of `head` after the header are read as rows.
   void startSegment(const std::vector<TextLine>& head) {
     line_ = std::max<std::size_t>(header_.line, 1);
     columns_ = findColumns(header_.names, format_);
@@ -197,14 +196,14 @@ class CsvLogReader {
     readAhead(head, header_.next_line);
   }
 
-  // Puts the lines of a head from `first` on back, to be read as rows.
+  // Puts back the lines of `head` from line number `first` on, so that they are read as rows.
   void readAhead(const std::vector<TextLine>& head, std::size_t first) {
     const auto rows =
         std::find_if(head.begin(), head.end(), [&](const TextLine& line) { return line.number >= first; });
     read_ahead_.insert(read_ahead_.begin(), rows, head.end());
   }
 
-  // True if a header repeats the present one while time continues, as instruments write it for each buffer.
+  // Returns true if a header repeats the present one and the time continues, as in files with a header for each buffer.
   bool isContinued(const CsvHeader& header, const std::vector<TextLine>& head) {
     const auto row = firstRow(head, header.next_line);
     if (!columns_.time.found() || header.separator != header_.separator || header.names != header_.names ||
@@ -220,7 +219,7 @@ class CsvLogReader {
     return rules_->continues(row_.stamp);
   }
 
-  // Returns the first line from `first` on that is neither blank nor a comment.
+  // Returns the first line from line number `first` on that is neither blank nor a comment.
   static std::vector<TextLine>::const_iterator firstRow(const std::vector<TextLine>& head, std::size_t first) {
     return std::find_if(head.begin(), head.end(), [&](const TextLine& line) {
       return line.number >= first && !trimmed(line.text).empty() && !isComment(line.text);
@@ -243,7 +242,7 @@ class CsvLogReader {
     element::refuseIf<std::runtime_error>(segments_.size() == kMaximumSegments,
                                           "more than {} segments; accepted: that many at most", kMaximumSegments);
     segments_.push_back(fmt::format("lines {} to {}{}", first_row_, last_row_, border_));
-    // If the format selects no segment, several are refused at the end.
+    // If the format selects no segment, a file with several segments is refused after all of them have been read.
     if (!wanted || (format_.segment == 0 && another_follows)) {
       return;
     }
@@ -258,7 +257,7 @@ class CsvLogReader {
     logs_.push_back(std::move(log_));
   }
 
-  // Ends the segment at a line that is no row if another header or, behind a blank line, rows follow; otherwise throws.
+  // Ends the segment at a line that is no row. Throws unless a header follows, or rows follow after a blank line.
   void endSegmentAt(const char* line, const std::runtime_error& error) {
     const std::size_t error_line = line_;
     const bool behind_blank = blank_line_ != 0;
@@ -281,7 +280,7 @@ class CsvLogReader {
     startSegment(head);
   }
 
-  // Begins a segment without a header of its own: behind a blank line, or where the time restarts.
+  // Begins a segment without a header, after a blank line or where the time restarts.
   void beginAnotherLog() {
     const bool restarts = blank_line_ == 0;
     restart_rate_ = restarts && restarts_ == 0 ? rules_->rate() : restart_rate_;
@@ -298,7 +297,8 @@ class CsvLogReader {
     }
   }
 
-  // Recognises a time without a unit: by its text as that of a clock, or by its size as that of a spreadsheet.
+  // Interprets a column of time that states no unit. Its first cell may be a time of day or a date. A decimal number
+  // between kFirstDay and kLastDay counts days, as in spreadsheets.
   void resolveTime(const std::vector<TextLine>& head) {
     days_ = false;
     const auto row = firstRow(head, header_.next_line);
@@ -312,7 +312,7 @@ class CsvLogReader {
       columns_.time.assumed_unit.clear();
       return;
     }
-    constexpr std::size_t kSince1970 = 17;  // digits of nanoseconds, from 1973 on
+    constexpr std::size_t kSince1970 = 17;  // nanoseconds since 1970 have at least so many digits from 1973 on
     const bool whole = text.find_first_not_of("0123456789") == std::string::npos;
     if (whole && text.size() >= kSince1970 && !format_.rate) {
       throw std::runtime_error(fmt::format(
@@ -332,7 +332,7 @@ class CsvLogReader {
 
   void readRow(const char* line) {
     const char* const text = line + std::strspn(line, " \t");
-    if (text[std::strspn(text, " \t,;\"")] == '\0') {  // blank, also with the separators of a spreadsheet
+    if (text[std::strspn(text, " \t,;\"")] == '\0') {  // a line of blanks or separators only, as spreadsheets write it
       blank_line_ = blank_line_ == 0 ? line_ : blank_line_;
       return;
     }
@@ -373,7 +373,7 @@ class CsvLogReader {
     takeRow();
   }
 
-  // True for a line without any measured value, which is text.
+  // Returns true for a line in which no quantity has a value; such a line is text.
   bool isNoRow() const {
     const bool time = format_.rate || !row_.stamp;
     return first_row_ != 0 && time && std::isnan(row_.value[kMotion]) && std::isnan(row_.value[kForce]) &&
@@ -385,7 +385,7 @@ class CsvLogReader {
     return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
   }
 
-  // True for a row of a summary that instruments append, by its first cell: "Min", "Mittelwert:".
+  // Returns true for a row of statistics, such as "Min" or "Mittelwert:", that some instruments append to the data.
   bool isStatistics(const char* line) {
     static const std::array<const char*, 22> kWords = {
         "min",    "minimum", "max",     "maximum", "mean",       "average",           "avg",   "rms",
@@ -405,9 +405,9 @@ class CsvLogReader {
     first_row_ = first_row_ == 0 ? line_ : first_row_;
     last_row_ = line_;
     if (!isWanted() && log_.size() >= kLogBlock) {
-      log_ = Log();  // of a segment that is not requested
+      log_ = Log();  // the samples belong to a segment that is not requested
     }
-    if (log_.size() >= kMaximumLogRows) {  // never reached if blocks are passed on
+    if (log_.size() >= kMaximumLogRows) {  // blocks that are passed on never become so large
       throw std::runtime_error(fmt::format("more than {} rows; accepted: that many at most", kMaximumLogRows));
     }
     row_.place = line_;
@@ -427,7 +427,7 @@ class CsvLogReader {
     }
   }
 
-  // Fast path for rows with commas alone; returns false if the number of fields shows that they have more.
+  // Parses a row of plain numbers and commas quickly. Returns false if the number of fields differs from the header.
   bool parsePlainRow(const char* line) {
     if (!splitRow(line, starts_) || starts_.size() - 1 != columns_.count) {
       return false;
@@ -461,7 +461,7 @@ class CsvLogReader {
   void parseRowByFields(const char* line) {
     splitFields(line, header_.separator, fields_);
     while (fields_.size() > columns_.count && fields_.back().text.empty() && !fields_.back().quoted) {
-      fields_.pop_back();  // a separator at the end of the line
+      fields_.pop_back();  // the line ends in a separator
     }
     if (header_.comments_follow && fields_.size() == columns_.count + 1) {
       fields_.pop_back();
@@ -479,7 +479,8 @@ class CsvLogReader {
     });
   }
 
-  // Returns NaN, with the reason in the row, for a field without a measurement. Throws for any other text.
+  // Returns the number in a field. Returns NaN, and adds the reason to the row, if the field states that nothing was
+  // measured. Throws for any other text.
   double readNumber(const char* field, const char* field_end, Quantity quantity) {
     char* parsed_end = nullptr;
     const double value = strtod_l(field, &parsed_end, cLocale());
@@ -491,7 +492,7 @@ class CsvLogReader {
                : unmeasured(field, field_end, quantity);
   }
 
-  // strtod accepts hexadecimal numbers, too. Blanks may follow the number.
+  // strtod accepts hexadecimal numbers, which are refused here. Blanks may follow a number.
   static bool isHexadecimal(const char* field) { return std::strpbrk(field, "xX") != nullptr; }
   static bool isNumberBefore(const char* field, const char* parsed_end, const char* field_end) {
     const char* c = parsed_end;
@@ -505,7 +506,7 @@ class CsvLogReader {
   double unmeasured(const char* field, const char* field_end, Quantity quantity) {
     const std::string text = trimmed(std::string(field, static_cast<std::size_t>(field_end - field)));
     const std::string reason = reasonOf(text, columns_.of(quantity));
-    if (!isUnmeasured(text) && quantity != Quantity::temperature) {  // the temperature is optional
+    if (!isUnmeasured(text) && quantity != Quantity::temperature) {  // any text is accepted as a missing temperature
       throw std::runtime_error(reason + "; accepted: a finite number");
     }
     const std::size_t place = channelOf(quantity);
@@ -516,8 +517,8 @@ class CsvLogReader {
     return kNotMeasured;
   }
 
-  // Returns the time as in the file and sets the stamp. Long double represents the nanoseconds of a time since 1970,
-  // which a double cannot. If the format gives a rate, a time that cannot be read is ignored.
+  // Returns the time as in the file and sets the stamp. The time is parsed as long double, because a double cannot
+  // represent nanoseconds since 1970. If the format gives a rate, a time that cannot be read is ignored.
   double readStamp(const char* field, const char* field_end) {
     double time = kNotMeasured;
     try {
@@ -572,7 +573,7 @@ class CsvLogReader {
     }
   }
 
-  // "; header in line 3, separator semicolon, decimal comma, UTF-16"
+  // Returns for example "; header in line 3, separator semicolon, decimal comma, UTF-16".
   std::string layout() const {
     std::string text = "; ";
     text += header_.line == 0 ? "no header" : fmt::format("header in line {}", header_.line);
@@ -589,29 +590,29 @@ class CsvLogReader {
   std::string coding_;
   std::unique_ptr<LineReader> reader_;
   const LogSource::Take* take_ = nullptr;
-  std::vector<Log> logs_;              // of complete segments that are requested
-  std::vector<std::string> segments_;  // descriptions of complete segments
-  std::string border_;                 // why the segment begins
+  std::vector<Log> logs_;              // requested segments that are complete
+  std::vector<std::string> segments_;  // descriptions of all complete segments
+  std::string border_;                 // reason why the present segment begins
   CsvHeader header_;
   std::deque<TextLine> read_ahead_;
-  TextLine current_;  // last line from read_ahead_
+  TextLine current_;  // line last taken from read_ahead_
   Columns columns_;
   std::optional<SampleRules> rules_;
-  Log log_;  // samples that are not passed on yet
+  Log log_;  // samples that are not yet passed on
   std::size_t handed_out_ = 0;
-  bool ended_ = false;        // `take` has returned false
-  std::size_t restarts_ = 0;  // restarts of the time
+  bool ended_ = false;        // true once `take` has returned false
+  std::size_t restarts_ = 0;  // how often the time restarted
   double restart_rate_ = 0.0;
   std::size_t line_ = 1;
-  std::size_t first_row_ = 0;  // line, in the segment
+  std::size_t first_row_ = 0;  // line number of the first row of the segment
   std::size_t last_row_ = 0;
   std::size_t blank_line_ = 0;
-  Lines comments_;  // among the rows of the segment
-  Lines repeats_;   // of the header, within the segment
+  Lines comments_;  // comments among the rows of the segment
+  Lines repeats_;   // repeated headers within the segment
   Lines statistics_;
-  bool lettered_ = false;   // rows begin with a word
-  bool by_fields_ = false;  // rows are not commas and numbers alone
-  bool days_ = false;       // the time is in days of a spreadsheet
+  bool lettered_ = false;   // true if the first row begins with a letter
+  bool by_fields_ = false;  // true if rows contain more than plain numbers and commas
+  bool days_ = false;       // true if the time counts days, as in spreadsheets
   TimeTextReader clock_;
   SampleRow row_;
   std::vector<const char*> starts_;
@@ -619,7 +620,7 @@ class CsvLogReader {
   NumberMarks marks_;
 };
 
-// Returns the result of `read` on a reader of the file; errors get their line.
+// Returns the result of `read` for a reader of the file. Adds the path and the line number to errors.
 template <class Read>
 auto withReader(const std::string& path, const LogFormat& format, const Read& read, char found_mark = '\0') {
   std::unique_ptr<CsvLogReader> reader;
@@ -634,7 +635,7 @@ auto withReader(const std::string& path, const LogFormat& format, const Read& re
         fmt::format("{}:{}: a decimal {} here means that earlier marks may separate thousands; accepted: --decimal {}",
                     path, reader->line(), other.decimal == ',' ? "comma" : "point", other.decimal));
   } catch (const LogError&) {
-    throw;  // from the consumer of the samples
+    throw;  // thrown by the consumer of the samples
   } catch (const RowError& error) {
     throw LogError(fmt::format("{}:{}: {}", path, error.row(), error.what()));
   } catch (const std::runtime_error& error) {

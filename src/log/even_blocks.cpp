@@ -10,12 +10,12 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr double kJitterAllowed = 0.02;      // of the median step; a log with more is resampled
-constexpr std::size_t kMostCounted = 16384;  // different steps
-constexpr double kLongestStep = 0.5;         // [s], never a time gap: the node bridges as much without a warning
-constexpr std::int64_t kGapFactor = 20;      // times the 90th percentile of the steps
-constexpr double kMostGrowth = 2.0;          // most samples at even steps per sample of the log,
-constexpr double kFewSamples = 20000.0;      // or in all, for a creep test sampled by the logarithm of time
+constexpr double kJitterAllowed = 0.02;      // share of the median step by which a step may differ without resampling
+constexpr std::size_t kMostCounted = 16384;  // largest number of different steps that are counted
+constexpr double kLongestStep = 0.5;         // [s]; a shorter step is no time gap, because the node bridges it, too
+constexpr std::int64_t kGapFactor = 20;      // a time gap is longer than the 90th percentile of the steps times this
+constexpr double kMostGrowth = 2.0;          // largest number of even samples per sample of the log
+constexpr double kFewSamples = 20000.0;      // number of even samples that is allowed for any log, such as a creep test
 
 double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
@@ -164,7 +164,7 @@ void EvenBlocks::interpolate(const Log& left, std::size_t l, const Log& block, s
 }
 
 void EvenBlocks::endStretch(const Log& last, std::size_t sample) {
-  constexpr double kRounding = 1e-6;  // of a step
+  constexpr double kRounding = 1e-6;  // share of a step
   const double steps = seconds(last.stamp[sample] - first_stamp_) / steps_.dt;
   const auto samples = std::min(static_cast<std::size_t>(std::floor(steps + kRounding)) + 1, steps_.samples);
   for (; done_ < samples; ++done_) {

@@ -1,4 +1,4 @@
-// The format of a file, by its first bytes.
+// Recognises the format of a file by its first bytes.
 #include "log/file_format.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ struct Mark {
   std::string_view begin;
   FileFormat format;
   const char* name;
-  const char* remedy;  // how to convert it to a file that can be read
+  const char* remedy;  // how to convert the file to a format that can be read
 };
 
 constexpr const char* kAsAText = "export it as text (CSV)";
@@ -34,7 +34,7 @@ constexpr const char* kArray =
     "python3 -c \"import numpy as n; n.savetxt('LOG.csv', n.load('LOG.npy'), delimiter=',', "
     "header='time_s,displacement_UNIT,force_UNIT', comments='')\", with the units of the array for UNIT";
 
-// asammdf, npTDMS, rosbags and mcap are the maintained readers of these formats; Debian has none of them.
+// The packages asammdf, npTDMS, rosbags and mcap in these commands are maintained, but Debian does not contain them.
 constexpr Mark kMarks[] = {
     {"\x1F\x8B"sv, FileFormat::gzip, "gzip within gzip", "gunzip"},
     {"#ROSBAG V"sv, FileFormat::bag, "a ROS bag", "give it the extension .bag"},
@@ -73,7 +73,7 @@ constexpr Mark kMarks[] = {
      FileFormat::foreign, "a program", "give the log"},
 };
 
-// Formats that are not recognised by their first bytes alone.
+// A format for which a comparison of the first bytes is not sufficient.
 struct Look {
   bool (*fits)(std::string_view head);
   const char* name;
@@ -82,7 +82,7 @@ struct Look {
 
 bool isZip(std::string_view head) { return head.substr(0, 4) == "PK\x03\x04"sv; }
 
-// Returns the name of the first file in an archive.
+// Returns the name of the first file in a ZIP archive; empty for other data.
 std::string_view nameInZip(std::string_view head) {
   constexpr std::size_t kHeader = 30;  // bytes
   if (!isZip(head) || head.size() < kHeader) {
@@ -92,7 +92,7 @@ std::string_view nameInZip(std::string_view head) {
   return head.substr(kHeader, byte(26) + 256 * byte(27));
 }
 
-// Returns the line of that number, from 0, without blanks at its ends and its line end.
+// Returns line `number`, counted from 0, without its line end and the blanks around it.
 std::string_view lineOf(std::string_view head, std::size_t number) {
   for (std::size_t i = 0; i < number; ++i) {
     const std::size_t end = head.find('\n');

@@ -1,4 +1,4 @@
-// Files of HDF5.
+// Opens and traverses HDF5 files.
 #include "log/hdf5_file.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-// True if the file has storage for all of a dataset.
+// Returns true if the file has storage for the whole dataset.
 bool isWritten(hid_t dataset, hid_t properties) {
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
   if (H5Sget_simple_extent_npoints(space.get()) <= 0) {
@@ -45,7 +45,7 @@ void requireShallow(const std::string& path) {
 }  // namespace
 
 hid_t openHdf5(const std::string& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown here, not printed there
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown here instead of printed by the library
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   element::refuseIf<std::runtime_error>(file < 0,
                                         "cannot be read as HDF5; accepted: a complete file that can be opened");
@@ -79,9 +79,9 @@ void requireOwnData(const std::string& path) {
 void visitObjects(hid_t file, const std::function<bool(const std::string& path, const Hdf5Handle* dataset)>& visit) {
   struct Visit {
     decltype(visit) object;
-    std::exception_ptr error;  // must not pass through the library, which is in C
+    std::exception_ptr error;  // an exception must not pass through the library, which is written in C
   };
-  // The name of this second form of the information differs between HDF5 1.10 and 1.14.
+  // The type of `info` has another name in HDF5 1.14 than in 1.10, so the compiler deduces the type.
   const auto call = [](hid_t root, const char* path, const auto* info, void* data) -> herr_t {
     auto& called = *static_cast<Visit*>(data);
     try {

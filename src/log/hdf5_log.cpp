@@ -1,4 +1,4 @@
-// Reads a log from HDF5 by libhdf5, one file at a time.
+// Reads a log from an HDF5 file. Only one file is read at a time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,20 +17,20 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr hsize_t kMostColumns = 10000;  // of one file, and of one matrix
+constexpr hsize_t kMostColumns = 10000;  // limit for a file and for a matrix
 
-// A dataset of numbers, or one column of a matrix.
+// A column of numbers: a dataset, a member of a compound dataset, or a row or column of a matrix.
 struct Hdf5Column {
   std::string name;
   std::string path;
-  std::string member;  // of a compound dataset
+  std::string member;  // name of the member of a compound dataset
   std::string unit;
   hsize_t length = 0;
   hsize_t parts = 1;
   hsize_t part = 0;
-  bool wide = false;  // parts are rows
+  bool wide = false;  // true if the channels are the rows of the matrix
   int rank = 1;
-  bool is_long = false;  // integers of 8 bytes
+  bool is_long = false;  // true if the numbers are 8-byte integers
 };
 
 std::string textAttribute(hid_t object, const char* name) {
@@ -76,7 +76,7 @@ bool isNumber(H5T_class_t kind) { return kind == H5T_INTEGER || kind == H5T_FLOA
 
 bool isLong(hid_t type) { return H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) == sizeof(std::int64_t); }
 
-// Names of the numeric members of a dataset of structures.
+// Returns the names of the numeric members of a compound dataset.
 std::vector<std::string> memberNames(hid_t type) {
   std::vector<std::string> names;
   const int count = H5Tget_nmembers(type);
@@ -131,10 +131,10 @@ void addDataset(std::vector<Hdf5Column>& columns, hid_t dataset, const std::stri
 
 std::string leafOf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-// Returns the group of a column; a dataset with members is the group of these.
+// Returns the group of a column. A compound dataset is itself the group of its members.
 std::string folderOf(const Hdf5Column& column) { return column.member.empty() ? groupOf(column.path) : column.path; }
 
-// Omits the paths if all columns are in one group.
+// Names the columns by their paths, or without the path if all columns are in the same group.
 void nameColumns(std::vector<Hdf5Column>& columns) {
   std::set<std::string> groups;
   std::set<std::string> paths;
@@ -153,7 +153,7 @@ void nameColumns(std::vector<Hdf5Column>& columns) {
   }
 }
 
-// Returns the type in memory: a number, or a structure with the member of the column.
+// Returns the HDF5 type in memory: `number`, or a structure that contains it as the member of the column.
 hid_t memoryType(const Hdf5Column& column, hid_t number) {
   if (column.member.empty()) {
     return H5Tcopy(number);
@@ -163,14 +163,14 @@ hid_t memoryType(const Hdf5Column& column, hid_t number) {
   return type;
 }
 
-// Reads the numbers [first, first + count) of a column. `number`: the type in memory.
+// Reads the numbers [first, first + count) of a column. `number` is the HDF5 type in memory.
 template <class Number>
 std::vector<Number> readAs(hid_t number, hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
   const Hdf5Handle dataset(H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), H5Dclose);
   requireOwnData(dataset.get(), column.path);
   const Hdf5Handle type(memoryType(column, number), H5Tclose);
   const Hdf5Handle space(dataset ? H5Dget_space(dataset.get()) : -1, H5Sclose);
-  // For a vector only the first number of each pair is used.
+  // For a vector, only the first number of each pair applies.
   const bool samples_first = column.rank == 1 || !column.wide;
   const std::array<hsize_t, 2> from = {samples_first ? first : column.part, samples_first ? column.part : first};
   const std::array<hsize_t, 2> size = {samples_first ? count : 1, samples_first ? 1 : count};
@@ -185,7 +185,7 @@ std::vector<Number> readAs(hid_t number, hid_t file, const Hdf5Column& column, h
   return values;
 }
 
-// Refuses integers of 8 bytes that a double would round.
+// Reads numbers as double. Throws if a double would round an 8-byte integer.
 std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t first, hsize_t count) {
   if (!column.is_long) {
     return readAs<double>(H5T_NATIVE_DOUBLE, file, column, first, count);
@@ -204,7 +204,7 @@ std::vector<double> readNumbers(hid_t file, const Hdf5Column& column, hsize_t fi
 class Hdf5File {
  public:
   explicit Hdf5File(const std::string& path) : file_(openHdf5(path), H5Fclose) {
-    std::string pandas;  // group that pandas has written
+    std::string pandas;  // path of the first table written by pandas
     visitObjects(file_.get(), [&](const std::string& object, const Hdf5Handle* dataset) {
       if (dataset == nullptr) {
         const bool is_table = H5Aexists_by_name(file_.get(), object.c_str(), "pandas_type", H5P_DEFAULT) > 0;
@@ -225,7 +225,7 @@ class Hdf5File {
     nameColumns(columns_);
   }
 
-  /// Returns the columns, of at most `most` numbers each. The file has to outlive them.
+  /// Returns the table of columns. A column of more than `most` numbers is refused. This object must outlive the table.
   ColumnTable table(std::size_t most) const {
     ColumnTable table{{}, {}, columns(most)};
     for (const Hdf5Column& column : columns_) {
@@ -238,7 +238,6 @@ class Hdf5File {
   }
 
  private:
-  /// Returns access to the columns; refuses those of more than `most` numbers.
   ColumnFile columns(std::size_t most) const {
     return {[this, most](std::size_t place, const std::string& name) {
               element::refuseIf<std::runtime_error>(
@@ -257,14 +256,14 @@ class Hdf5File {
   std::vector<Hdf5Column> columns_;
 };
 
-// Returns the result of `read` for a file; other threads wait until it has returned.
+// Returns the result of `read` for a file. Other threads wait until `read` has returned.
 template <class Read>
 auto withHdf5File(const std::string& path, const Read& read) {
   const std::lock_guard<std::mutex> lock(hdf5Mutex());
   try {
     return read(Hdf5File(path));
   } catch (const LogError&) {
-    throw;  // from the consumer of the samples
+    throw;  // thrown by the consumer of the samples
   } catch (const std::runtime_error& error) {
     throw LogError(fmt::format("{}: {}", path, error.what()));
   }

@@ -1,4 +1,4 @@
-// Checks logs from any source, makes formats by the options of commands, and writes CSV.
+// Checks logs from any source, makes formats from the options of commands, and writes CSV.
 #include "rubber_suspension/log/log.h"
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ void checkValues(const Log& log, const char* name, const std::vector<double>& va
   }
 }
 
-// Returns the channel of a quantity; nullptr for another word.
+// Returns the channel of the quantity with this name; nullptr for any other word.
 LogFormat::Channel* channelNamed(LogFormat& format, const std::string& quantity) {
   for (const Quantity one : kQuantities) {
     if (quantity == toString(one)) {
@@ -63,7 +63,7 @@ LogFormat::Channel* channelNamed(LogFormat& format, const std::string& quantity)
   return nullptr;
 }
 
-// Reads a factor and a name in "-NAME" and "0.001*NAME".
+// Parses an optional factor before the name of a column: "-NAME" or "0.001*NAME".
 void setColumnAndFactor(LogFormat::Channel& channel, const std::string& text) {
   const std::size_t star = text.find('*');
   const std::optional<double> factor =
@@ -79,7 +79,7 @@ void setColumnAndFactor(LogFormat::Channel& channel, const std::string& text) {
   }
 }
 
-// Reads "QUANTITY=NAME", or QUANTITY alone for the column of that place.
+// Parses "QUANTITY=NAME", or QUANTITY alone, which assigns the column with number `place`.
 void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
@@ -101,7 +101,7 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
                     "--columns: the temperature has a factor; accepted: its column without a factor");
 }
 
-// Reads "force=kN"; the unit may have several words.
+// Parses "force=kN". The unit may consist of several words.
 void setUnitOption(LogFormat& format, const std::string& entry) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
@@ -150,7 +150,7 @@ char decimalMark(const std::string& text) {
       quoted(text)));
 }
 
-// Reads "," for all columns, or "force=," for one.
+// Parses ",", which applies to all columns, or "force=,", which applies to one.
 void setDecimal(LogFormat& format, const std::string& text) {
   const std::size_t sign = text.find('=');
   LogFormat::Channel* const channel =
@@ -178,7 +178,7 @@ LogFormat makeLogFormat(const std::vector<std::string>& columns, const std::stri
     setColumn(format, columns[i], i + 1);
   }
   setUnits(format, units);
-  // Above 1 GHz two samples would share a nanosecond.
+  // At a rate above 1 GHz two samples would have the same stamp in nanoseconds.
   element::refuseIf(!(rate >= 0.0 && rate <= 1e9), "--sampling-rate: {:g} Hz; accepted: greater than 0, at most 1e9",
                     rate);
   if (rate > 0.0) {
@@ -291,7 +291,7 @@ void LogCsvWriter::fail() const {
 void LogCsvWriter::append(std::int64_t stamp, double displacement, double force) {
   fmt::memory_buffer row;
   fmt::format_to(std::back_inserter(row), "{},{:.17g}", formatStamp(stamp), displacement);
-  if (with_force_ && std::isnan(force)) {  // not measured
+  if (with_force_ && std::isnan(force)) {  // the force was not measured
     row.push_back(',');
   } else if (with_force_) {
     fmt::format_to(std::back_inserter(row), ",{:.17g}", force);

@@ -16,7 +16,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-// 285 years, so that stamps fit into 64 bits of nanoseconds.
+// Limit of 285 years, so that a time in nanoseconds fits into 64 bits.
 constexpr double kMaximumTime = 9.0e9;  // [s]
 
 const LogFormat::Channel& channelOf(const LogFormat& format, Quantity quantity) {
@@ -33,7 +33,7 @@ bool isWanted(Quantity quantity, const LogFormat& format) { return quantity != Q
 
 std::string quotedName(const ColumnName& column) { return quoted(column.withUnit()); }
 
-// Lists the names of a header for an error, only the first of them if there are many.
+// Returns a list of the names in a header for an error, shortened if there are many.
 std::string listed(const std::vector<ColumnName>& header) {
   constexpr std::size_t kMost = 12;
   std::vector<std::string> names = element::each(header, quotedName);
@@ -54,13 +54,13 @@ Places placesWhere(const std::vector<ColumnName>& header, Condition condition) {
   return places;
 }
 
-// Returns the place of a column by its number from 1 in --columns; none for other text.
+// Returns the index of the column that --columns gives by its number, counted from 1; none for other text.
 Places placeOfNumber(const std::string& text, std::size_t count) {
   const std::size_t number = wholeNumber(text);
   return number >= 1 && number <= count ? Places{number - 1} : Places{};
 }
 
-// Returns the places of the column that the user named: as in the file, without its unit, or by its number.
+// Returns the indices of all columns that fit the user's name: the full name, the name without its unit, or the number.
 Places placesOfOption(const std::vector<ColumnName>& header, const std::string& name) {
   Places places = placesWhere(header, [&](const ColumnName& column) {
     return column.text == name || column.withUnit() == name || (!column.second.empty() && column.second == name);
@@ -71,7 +71,7 @@ Places placesOfOption(const std::vector<ColumnName>& header, const std::string& 
   return places.empty() ? placeOfNumber(name, header.size()) : places;
 }
 
-// Finds columns by name, else by unit, among those that the user did not assign.
+// Finds columns by name, or else by unit. Columns that the user assigned by name or number are not considered.
 class ColumnFinder {
  public:
   ColumnFinder(const std::vector<ColumnName>& header, const LogFormat& format) : header_(header) {
@@ -107,14 +107,15 @@ class ColumnFinder {
   }
 
  private:
-  // Prefers "Force [N]" to "Force (set)", which is refused if it is the only one.
+  // Returns the columns with a known unit, such as "Force [N]" rather than "Force (set)". If there is none, returns
+  // all, so that the unknown unit is refused later.
   Places withKnownUnit(const Places& places) const {
     const Places known = element::those(places, [&](std::size_t place) { return header_[place].unit_known; });
     return known.empty() ? places : known;
   }
 
   const std::vector<ColumnName>& header_;
-  Places taken_;  // by options of the user
+  Places taken_;  // columns that the user assigned
 };
 
 std::string accepted(Quantity quantity) {
@@ -135,7 +136,7 @@ void refuseAmbiguity(const std::vector<ColumnName>& header, const Places& places
                                         element::joined(places, ", ", name), what, toString(quantity));
 }
 
-// A larger unit is misspelt: "Mm" is a thousand kilometres.
+// Returns the largest plausible unit [SI]. A larger one is a misspelling: "Mm" means a thousand kilometres.
 double largestUnit(Quantity quantity) {
   return quantity == Quantity::displacement ? 1e3 : quantity == Quantity::time ? 7.0 * 86400.0 : HUGE_VAL;
 }
@@ -154,7 +155,7 @@ void setUnit(Column& column, const std::string& unit, const LogFormat& format, Q
   }
 }
 
-// Returns the column at a place. Its unit is that of the option, else its own, else the SI unit, noted as `assumed`.
+// Returns the column at an index. Its unit is that of --unit, or else `own`, or else SI and then noted as `assumed`.
 Column columnAt(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format, Quantity quantity,
                 const std::string& own, const std::string& assumed) {
   const LogFormat::Channel& channel = channelOf(format, quantity);
@@ -183,7 +184,7 @@ std::string nameHint(const std::vector<ColumnName>& header, const std::string& n
   return oneLine(element::didYouMean(name, names));
 }
 
-// Returns the unit of a column that the user named: behind its name, or in its place, as in "mm,kN".
+// Returns the unit of a column that the user named. It stands behind the name, or is the name itself, as in "mm,kN".
 std::string ownUnit(const ColumnName& column, Quantity quantity) {
   if (!column.unit.empty()) {
     return column.unit_known ? column.unit : "";
@@ -210,7 +211,7 @@ Column mappedColumn(const std::vector<ColumnName>& header, const LogFormat& form
                                        quoted(column.name), toString(quantity), column.name, accepted(quantity)));
 }
 
-// Returns a column found by name or unit. Its unit has to be known, except that of time.
+// Returns the column that was found by name or unit. Throws if the column has no unit and is not the time.
 Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, const LogFormat& format,
                    Quantity quantity) {
   Column column = columnAt(header, place, format, quantity, header[place].unit, definedUnit(header[place].bare));
@@ -220,7 +221,7 @@ Column foundColumn(const std::vector<ColumnName>& header, std::size_t place, con
   return column;
 }
 
-// Selects the time in the displacement's group if several groups of a file have one.
+// If several groups of a file have a time, returns the time in the group of the displacement.
 Places besideDisplacement(const ColumnFinder& finder, const std::vector<ColumnName>& header, const Places& times) {
   const Places displacement = finder.find(Quantity::displacement);
   if (times.size() < 2 || displacement.size() != 1) {
@@ -247,7 +248,7 @@ Column findColumn(const ColumnFinder& finder, const std::vector<ColumnName>& hea
   return places.empty() ? Column() : foundColumn(header, places[0], format, quantity);
 }
 
-// Returns a hint if the header has stress and strain in place of force and displacement.
+// Returns a hint for the error if the header contains stress or strain in place of force or displacement.
 std::string hintOfMaterial(const std::vector<ColumnName>& header, Quantity quantity) {
   const auto of_material = element::those(
       header, [](const ColumnName& name) { return isOfMaterial(lowerCase(name.bare)) && !quantityOfUnit(name.unit); });
@@ -278,7 +279,7 @@ void refuseTwoOfOne(const Columns& columns, const std::vector<ColumnName>& heade
   }
 }
 
-// Returns the time that a rate replaces; none if it cannot be found without error.
+// Returns the column of time, whose stamps the sampling rate replaces; none if the column is ambiguous or invalid.
 Column timeBesideRate(const ColumnFinder& finder, const std::vector<ColumnName>& header, const LogFormat& format) {
   try {
     return findColumn(finder, header, format, Quantity::time);
@@ -288,9 +289,9 @@ Column timeBesideRate(const ColumnFinder& finder, const std::vector<ColumnName>&
 }
 
 struct FoundColumns {
-  bool options_fit = true;  // the header has the columns that the user named
+  bool options_fit = true;  // true if the header contains all columns that the user named
   int found = 0;
-  int missing = 0;  // columns that a log needs
+  int missing = 0;  // number of columns that a log needs and the header lacks
 };
 
 FoundColumns countColumns(const std::vector<ColumnName>& header, const LogFormat& format) {
@@ -423,7 +424,7 @@ std::string describeColumns(const Columns& columns, const LogExtent& extent) {
 std::int64_t toStamp(long double time, const Column& column) {
   const long double seconds_per_unit = column.toSi(1.0);
   const long double units_per_second = std::round(1.0L / seconds_per_unit);
-  // Divides if that is exact: 1 ms is a whole part of a second, but 0.001 is not exact in binary.
+  // Divides if the unit is a whole part of a second: 1 ms is 1/1000 s, but 0.001 has no exact binary representation.
   const bool whole = seconds_per_unit < 1.0L && std::abs(units_per_second * seconds_per_unit - 1.0L) < 1e-15L;
   const long double seconds = whole ? time / units_per_second : time * seconds_per_unit;
   element::refuseIf<std::runtime_error>(!(std::abs(seconds) <= kMaximumTime),

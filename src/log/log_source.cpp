@@ -12,7 +12,7 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kMostKept = 4 * kLogBlock;  // samples; shorter logs are kept, which is faster
+constexpr std::size_t kMostKept = 4 * kLogBlock;  // samples; shorter logs are kept in memory, which is faster
 
 class MemorySource : public LogSource {
  public:
@@ -36,7 +36,7 @@ class MemorySource : public LogSource {
 using ReadBlocks = std::vector<std::string> (*)(const std::string& path, const LogFormat& format,
                                                 const LogSource::Take& take);
 
-// A file that is read again each time.
+// A log that is read from its file again by each call of read().
 class LogFileSource : public LogSource {
  public:
   LogFileSource(std::string path, LogFormat format, ReadBlocks read_blocks)
@@ -56,7 +56,7 @@ class LogFileSource : public LogSource {
 }  // namespace
 
 std::shared_ptr<const LogSource> sourceOf(const Log& log) {
-  return std::make_shared<MemorySource>(std::shared_ptr<const Log>(std::shared_ptr<void>(), &log));  // owned elsewhere
+  return std::make_shared<MemorySource>(std::shared_ptr<const Log>(std::shared_ptr<void>(), &log));  // not owned
 }
 
 std::shared_ptr<const LogSource> sourceOf(Log&& log) {

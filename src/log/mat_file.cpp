@@ -1,5 +1,4 @@
-// Checks the structure of MATLAB files of level 4 or 5, and writes matrices by matio. Source of the format: MathWorks,
-// MAT-File Format, R2023b.
+// Checks MATLAB files of level 4 or 5, and writes matrices by matio. Source: MathWorks, MAT-File Format, R2023b.
 #include "log/mat_file.h"
 
 #include <fmt/format.h>
@@ -23,14 +22,14 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kHeader = 128;                           // bytes of level 5
-constexpr std::size_t kDeepest = 64;                           // structs within structs
-constexpr std::size_t kLargestElement = 2048UL * 1024 * 1024;  // bytes, uncompressed
+constexpr std::size_t kHeader = 128;                           // bytes of the header of level 5
+constexpr std::size_t kDeepest = 64;                           // largest depth of structs within structs
+constexpr std::size_t kLargestElement = 2048UL * 1024 * 1024;  // largest size of an element in bytes, uncompressed
 
 enum DataType : std::uint32_t { kInt8 = 1, kInt32 = 5, kUint32 = 6, kMatrix = 14, kCompressed = 15 };
 enum MatClass : std::uint32_t { kCell = 1, kStruct = 2, kObject = 3, kDouble = 6, kUint64 = 15, kOpaque = 17 };
 
-// Bytes of a number of each data type; 0: no type of numbers.
+// Bytes per number for each data type; 0 for types that are not numbers.
 constexpr std::size_t kTypeSize[] = {0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
 
 struct Element {
@@ -51,7 +50,7 @@ class ElementReader {
     Element element;
     std::size_t begin = at_ + 8;
     std::size_t size = 0;
-    if (first >> 16U != 0) {  // a small element, stored within its tag
+    if (first >> 16U != 0) {  // a small element, whose data are stored within its tag
       element.type = first & 0xFFFFU;
       size = first >> 16U;
       begin = at_ + 4;
@@ -92,7 +91,7 @@ class ElementReader {
   }
 
   std::string_view bytes_;
-  std::size_t place_;  // of the first byte, in the file
+  std::size_t place_;  // position of the first byte in the file
   bool swapped_;
   std::size_t at_ = 0;
 };
@@ -108,7 +107,7 @@ class MatChecker {
     }
     swapped_ = file_.substr(126, 2) == "MI";
     if (file_[swapped_ ? 124 : 125] != 1) {
-      return {};  // 7.3 is HDF5
+      return {};  // level 7.3 is HDF5 and is checked as such
     }
     ElementReader reader(file_.substr(kHeader), kHeader, swapped_);
     while (!reader.atEnd()) {
@@ -128,7 +127,7 @@ class MatChecker {
   }
 
  private:
-  // Decompresses an element to the size that its tag states; more data are damage.
+  // Decompresses an element. Its tag states the size; more data mean that the file is damaged.
   std::string inflated(const ElementReader& reader, std::string_view data) const {
     std::string content;
     z_stream stream{};
@@ -147,7 +146,7 @@ class MatChecker {
       result = inflate(&stream, Z_NO_FLUSH);
       content.resize(content.size() - stream.avail_out);
       if (done == 0 && result == Z_OK) {
-        most = claimed(reader, content) + 1;  // one byte more shows that there is too much
+        most = claimed(reader, content) + 1;  // one byte more than stated reveals surplus data
         refuseUnpacked(most, data.size(), large_);
       }
     }
@@ -155,10 +154,10 @@ class MatChecker {
     return content;
   }
 
-  // Returns the bytes of a matrix by its tag, which its dimensions have to account for.
+  // Returns the size of a matrix [byte] according to its tag. Throws if the dimensions do not explain this size.
   std::size_t claimed(const ElementReader& reader, std::string_view begin) const {
     constexpr std::size_t kTag = 8;
-    constexpr std::size_t kBeside = 1UL << 16U;  // flags, dimensions, name
+    constexpr std::size_t kBeside = 1UL << 16U;  // bytes allowed for flags, dimensions and name
     reader.require(begin.size() >= kTag, "compressed data that are cut off or changed");
     ElementReader matrix(begin.substr(kTag), reader.place(), swapped_);
     const std::size_t size = kTag + reader.numberIn(begin, 1);
@@ -168,7 +167,7 @@ class MatChecker {
       const std::uint32_t kind = flags.data.size() == kTag ? reader.numberIn(flags.data, 0) & 0xFFU : 0;
       if (kind >= kDouble && kind <= kUint64) {
         const std::size_t count = countOf(reader, matrix.next(kInt32, "a matrix without dimensions").data);
-        constexpr std::size_t kLargestNumber = 16;  // bytes, complex
+        constexpr std::size_t kLargestNumber = 16;  // bytes of a complex number
         reader.require(size / kLargestNumber <= count + kBeside, "more data than the matrix has");
       }
     }
@@ -240,11 +239,11 @@ class MatChecker {
 
   void addObject(ElementReader& reader) {
     const std::string name(reader.next().data);
-    reader.next();  // the system of types
+    reader.next();  // skips the type system of the object
     objects_.push_back(name + " (" + std::string(reader.next().data) + ")");
   }
 
-  // Level 4: matrices one after the other, each with a header of five numbers.
+  // Checks a file of level 4, which consists of matrices with a header of five numbers each.
   void checkLevel4() const {
     std::size_t at = 0;
     while (at < file_.size()) {

@@ -1,5 +1,4 @@
-// MATLAB files: checks of their structure before libmatio reads them, because it reads missing data as zeros, and
-// writing of matrices.
+// Writes matrices to MATLAB files, and checks such files before libmatio, which reads missing data as zeros.
 #pragma once
 
 #include <string>
@@ -11,16 +10,16 @@ struct NamedMatrix {
   std::string name;
   std::size_t rows;
   std::size_t columns;
-  std::vector<double> values;  ///< column by column
+  std::vector<double> values;  ///< in column-major order
 };
 
-/// Writes a file of level 5 under a temporary name and renames it. Throws std::runtime_error with the path.
+/// Writes a file of level 5 under a temporary name and then renames it. Throws std::runtime_error with the path.
 void writeMatFile(const std::string& path, const std::vector<NamedMatrix>& matrices);
 
-/// Checks all elements of a file of level 4 or 5: their sizes have to agree with the elements around them and the file,
-/// their numbers with their dimensions, and compressed data with their checksums. Returns the variables that are
-/// objects of MATLAB (tables, timetables, timeseries), "name (class)". Throws std::runtime_error that names the byte.
-/// `large` as in refuseUnpacked().
+/// Checks all elements of a file of level 4 or 5: each must fit into its parent element and the file, have as many
+/// numbers as its dimensions require and, if compressed, have a valid checksum. Returns "name (class)" for each
+/// variable that is an object of MATLAB (table, timetable, timeseries). Throws std::runtime_error that states the
+/// position. `large` has the meaning that it has in refuseUnpacked().
 std::vector<std::string> checkMatStructure(const std::string& path, bool large);
 
 }  // namespace rubber_suspension::log

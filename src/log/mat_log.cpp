@@ -1,4 +1,4 @@
-// Reads a log from a MATLAB file, one at a time: HDF5 beneath level 7.3 is not safe for threads in every build.
+// Reads a log from a MATLAB file. Only one file is read at a time, because libhdf5 is not always thread-safe.
 #include <fmt/format.h>
 #include <matio.h>
 
@@ -23,24 +23,24 @@ namespace {
 using MatPointer = std::unique_ptr<mat_t, int (*)(mat_t*)>;
 using VariablePointer = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
 
-// A field of one element of a struct.
+// One step of the path to a field: the name of the field and the index of the struct in its array.
 struct MatStep {
   std::string field;
   std::size_t element = 0;
 };
 
-// A vector of numbers in the file: a variable, a field within structs, or a column of a matrix.
+// A vector of numbers in the file: a variable, a field of a struct, or a row or column of a matrix.
 struct MatColumn {
   std::string name;
-  std::string unit;  // stated by a text beside a field
-  std::string leaf;  // name of a field without its path; empty: the name
+  std::string unit;  // unit that a text field of the same struct states
+  std::string leaf;  // name of the field without its path; empty: `name` applies
   std::string group;
   std::string variable;
-  std::vector<MatStep> path;  // empty: the variable itself
-  std::size_t part = 0;       // of a matrix, from 1; 0: the whole vector
+  std::vector<MatStep> path;  // path to the field; empty if the variable itself is the vector
+  std::size_t part = 0;       // number of the row or column of a matrix, counted from 1; 0 for a vector
 };
 
-// A matrix with more columns is a picture or a table of something else.
+// A matrix with more rows and columns than this is not a log but, for example, a picture.
 constexpr std::size_t kMostMatrixColumns = 1000;
 
 bool isNumeric(const matvar_t& variable) {
@@ -60,7 +60,7 @@ bool isVector(const matvar_t& variable) {
   return isNumeric(variable) && variable.rank == 2 && std::min(variable.dims[0], variable.dims[1]) == 1;
 }
 
-// A log has more samples than quantities.
+// Returns true if the channels are the rows, because a log has more samples than channels.
 bool isWide(const matvar_t& matrix) { return matrix.dims[0] < matrix.dims[1]; }
 
 std::size_t partCount(const matvar_t& matrix) { return std::min(matrix.dims[0], matrix.dims[1]); }
@@ -93,7 +93,7 @@ std::string textIn(const matvar_t* variable) {
   return trimmed(text);
 }
 
-// Returns the text of the field with one of these names, in any case.
+// Returns the text of the field that has one of these names, in upper or lower case; empty if there is none.
 std::string textOf(matvar_t& variable, std::size_t element, const std::vector<std::string>& names) {
   char* const* fields = Mat_VarGetStructFieldnames(&variable);
   for (unsigned i = 0; i < Mat_VarGetNumberOfFields(&variable); ++i) {
@@ -104,8 +104,9 @@ std::string textOf(matvar_t& variable, std::size_t element, const std::vector<st
   return "";
 }
 
-// Finds the vectors in a struct and in structs within it. A vector beside a text that names it, as written by Simulink
-// and data acquisition, has that name. `time` beside `signals`, as in Simulink's structure with time, is in seconds.
+// Finds the vectors in a struct and in the structs within it. If the struct also contains a text field with a name, as
+// written by Simulink and by data acquisition programs, the vector has that name. A field `time` next to a field
+// `signals`, as in Simulink's "structure with time", is in seconds.
 class FieldFinder {
  public:
   FieldFinder(std::vector<MatColumn>& columns, std::string variable)
@@ -181,7 +182,7 @@ class MatLogReader {
     }
     table.file = {
         [this](std::size_t place, const std::string& column) { return keep(place, column).size(); },
-        [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // once, for all numbers
+        [this](std::size_t place, const std::string& column, std::size_t, std::size_t) {  // called once per column
           keep(place, column);
           std::vector<double> numbers = std::move(kept_.at(place));
           kept_.erase(place);
@@ -220,7 +221,7 @@ class MatLogReader {
     }
   }
 
-  // Lists the datasets of a file of level 7.3 that MATLAB did not write.
+  // Returns a list of the datasets, for an error, if the file is HDF5 but was not written by MATLAB.
   std::string datasets() const {
     const std::string path = Mat_GetFilename(file_.get());
     if (H5Fis_hdf5(path.c_str()) <= 0) {
@@ -230,7 +231,7 @@ class MatLogReader {
     return " (datasets of HDF5: " + describeDatasets(file.get()) + "; with the extension .h5 they are read as such)";
   }
 
-  // Keeps a column whose length was requested until its numbers are requested, too.
+  // Reads a column when its length is requested, and keeps it until its numbers are requested.
   const std::vector<double>& keep(std::size_t place, const std::string& name) {
     const auto kept = kept_.find(place);
     return kept != kept_.end() ? kept->second : kept_.emplace(place, readColumn(columns_[place], name)).first->second;
@@ -244,8 +245,8 @@ class MatLogReader {
     return numbersOf(vector, source.part, name);
   }
 
-  // Returns a variable with its data, kept until another one is read. Its size is checked first, so that a small file
-  // cannot claim the memory of a large one.
+  // Returns a variable with its data, which are kept until another variable is read. The size is checked before,
+  // because a small file can state any size.
   matvar_t& read(const std::string& variable, const std::string& name) {
     if (kept_variable_ && kept_variable_->name == variable) {
       return *kept_variable_;
@@ -278,7 +279,7 @@ class MatLogReader {
                       (part > 0 ? isMatrix(*vector) : isVector(*vector)) && part <= partCount(*vector);
     element::refuseIf<std::runtime_error>(!fits, "{}: cannot be read; accepted: a vector or a matrix of numbers", name);
     element::refuseIf<std::runtime_error>(vector->isComplex != 0, "{}: complex numbers; accepted: real ones", name);
-    // MATLAB stores column by column.
+    // MATLAB stores matrices in column-major order.
     const bool wide = part > 0 && isWide(*vector);
     const std::size_t length = part == 0 ? elementCount(*vector) : std::max(vector->dims[0], vector->dims[1]);
     const std::size_t first = part == 0 ? 0 : wide ? part - 1 : (part - 1) * length;
@@ -301,7 +302,7 @@ class MatLogReader {
   LogFormat format_;
   VariablePointer kept_variable_{nullptr, Mat_VarFree};
   std::vector<MatColumn> columns_;
-  std::vector<std::string> others_;  // variables that are no columns
+  std::vector<std::string> others_;  // variables that cannot be columns
   std::map<std::size_t, std::vector<double>> kept_;
 };
 

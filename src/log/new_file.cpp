@@ -1,4 +1,4 @@
-// A file that is written under a temporary name and renamed when it is complete.
+// Writes a file under a temporary name and renames it when it is complete.
 #include "log/new_file.h"
 
 #include <fcntl.h>
@@ -21,15 +21,15 @@
 namespace rubber_suspension::log {
 namespace {
 
-// Paths that a signal removes. A signal handler may neither lock nor allocate memory, so a path belongs to whoever has
-// exchanged it out of its slot.
+// Paths that a signal handler has to remove. A handler may neither lock a mutex nor allocate memory, so whoever takes a
+// path out of its slot by an atomic exchange owns it.
 using Slot = std::atomic<const std::string*>;
 std::array<Slot, 64> slots = {};
 
 extern "C" void removeUnfinishedFiles(int signal) {
   std::array<const std::string*, slots.size()> paths = {};
   std::transform(slots.begin(), slots.end(), paths.begin(), [](Slot& slot) { return slot.exchange(nullptr); });
-  for (const auto remove : {unlink, rmdir}) {  // files first, then the folders that are empty without them
+  for (const auto remove : {unlink, rmdir}) {  // unlink() comes first, so that rmdir() then finds empty folders
     for (const std::string* path : paths) {
       if (path != nullptr) {
         remove(path->c_str());
@@ -40,13 +40,13 @@ extern "C" void removeUnfinishedFiles(int signal) {
   std::raise(signal);
 }
 
-// Handles signals only if the program has no handler of its own, as roscpp has for SIGINT.
+// Installs the handler for each signal for which the program has none. For example, roscpp handles SIGINT itself.
 void watchSignals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
     struct sigaction action{};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_DFL) {
-      // A file beyond the limit of its size is then an ordinary error of writing.
+      // If SIGXFSZ is ignored, a file that exceeds its size limit causes an ordinary write error.
       action.sa_handler = signal == SIGXFSZ ? SIG_IGN : removeUnfinishedFiles;
       sigaction(signal, &action, nullptr);
     }
@@ -57,7 +57,8 @@ void watchSignals() {
   throw LogError(fmt::format("{}: cannot be written: {}", path, std::strerror(error == 0 ? EIO : error)));
 }
 
-// Returns a random hidden name, short enough for any file system, with the extension, which may select a format.
+// Returns a path in the folder of the target with a random hidden name. The name is short enough for any file system
+// and keeps the extension, because a writer may choose the format by it.
 std::string nameBeside(const std::filesystem::path& target) {
   constexpr std::size_t kLongest = 100;
   std::random_device random;
@@ -66,7 +67,7 @@ std::string nameBeside(const std::filesystem::path& target) {
   return (target.parent_path() / name).string();
 }
 
-// Returns false, with errno, if a file or folder is not on the disk. Some file systems cannot sync, which is no error.
+// Flushes a file or folder to the disk. Returns false and sets errno on failure, but not if fsync is unsupported.
 bool sync(const std::string& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
@@ -107,7 +108,7 @@ bool isStream(const std::string& path) {
 }
 
 std::string followedPath(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as in the kernel
+  constexpr int kMostLinks = 40;  // the limit of the Linux kernel
   namespace fs = std::filesystem;
   std::error_code error;
   fs::path result = fs::absolute(path, error);
@@ -132,13 +133,13 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(followedPath(pa
     fail(path, errno);
   }
   writing_path_ = nameBeside(target_);
-  removal_.emplace(writing_path_);  // before the file exists, because a signal may come at any time
+  removal_.emplace(writing_path_);  // registered before the file exists, because a signal may arrive at any time
   const int descriptor = open(writing_path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, exists ? 0600 : 0666);
   if (descriptor < 0) {
     fail(path, errno);
   }
   if (exists) {
-    fchmod(descriptor, status.st_mode & 07777U);  // may fail on a file system without permissions
+    fchmod(descriptor, status.st_mode & 07777U);  // may fail without harm on a file system without permissions
   }
   close(descriptor);
 }
@@ -183,7 +184,7 @@ void NewFile::commit() {
       fail(path_, errno);
     }
     removal_.reset();
-    sync(std::filesystem::path(target_).parent_path().string());  // if that fails, the file is renamed nevertheless
+    sync(std::filesystem::path(target_).parent_path().string());  // may fail, since the file is already renamed
   }
 }
 

@@ -1,4 +1,4 @@
-// Points and commas in the numbers of a text.
+// Interprets the points and commas in the numbers of a text file.
 #include "log/number_marks.h"
 
 #include <fmt/format.h>
@@ -17,13 +17,13 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kGroup = 3;  // digits
+constexpr std::size_t kGroup = 3;  // digits in a group
 
 const char* nameOfMark(char mark) { return mark == ',' ? "comma" : "point"; }
 char otherMark(char mark) { return mark == ',' ? '.' : ','; }
 bool isMarkDigit(char c) { return c >= '0' && c <= '9'; }
 
-// True for groups of three digits between marks, after a first one of one to three.
+// Returns true if the marks separate groups of three digits. The first group has one to three digits.
 bool isGrouped(std::string_view digits, char mark) {
   std::size_t at = digits.find(mark);
   if (at == 0 || at > kGroup) {
@@ -70,7 +70,7 @@ std::string_view withSignJoined(std::string_view text, std::string& joined) {
   return joined;
 }
 
-// The digits and marks of a number, without sign and exponent.
+// The digits and marks of a number, without its sign and exponent.
 struct NumberMarks::Marks {
   explicit Marks(std::string_view text) {
     const std::size_t first = text.find_first_of("0123456789.,");
@@ -84,7 +84,7 @@ struct NumberMarks::Marks {
     before = digits.substr(0, std::min(last_mark, digits.size()));
   }
 
-  // "1.072" may be 1072; "0.125" and "1.07" may not.
+  // Returns true for numbers such as "1.072", which may mean 1072; false for "0.125" and "1.07", which cannot.
   bool mayBeThousands() const {
     return points + commas == 1 && !has_exponent && isGrouped(digits, last) && digits.front() != '0';
   }
@@ -208,7 +208,7 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
   for (std::size_t i = 0; i < columns_.size() && !told_; ++i) {
     const ColumnMarks& column = columns_[i];
     const bool either = column.told == '\0' && column.line > 0 && !column.decimals && column.unmarked && !column.large;
-    // The decimal mark of another column decides, unless a smooth channel jumps with it.
+    // The decimal mark of another column decides, unless this column would jump more with it than with the other mark.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
       const std::string option = by_option ? optionFor(column, i) : "a file without thousands separators";
       throw RowError(column.line, fmt::format("{}: the mark in '{}' may be decimal or separate thousands, because no "
@@ -218,7 +218,7 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
   }
 }
 
-// Returns the option for all columns, or for this one if the mark of another is known.
+// Returns the option that resolves the ambiguity: for all columns, or for this one if another column's mark is known.
 std::string NumberMarks::optionFor(const ColumnMarks& column, std::size_t channel) const {
   const char mark = column.text.find(',') == std::string::npos ? '.' : ',';
   const std::string of = decimal_ == '\0' ? "" : toString(static_cast<Quantity>(channel)) + "=";

@@ -1,4 +1,4 @@
-// Reads logs of six directions; each direction is read as a log of its own with the same stamps.
+// Reads logs of six directions. Each direction is read like a log of its own; all must have the same stamps.
 #include "rubber_suspension/log/pose_log.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 6> kCoordinates = {"x", "y", "z", "rx", "ry", "rz"};
 constexpr std::array<const char*, 6> kWrench = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
-constexpr std::size_t kRotations = 3;  // place of the first rotation
+constexpr std::size_t kRotations = 3;  // index of the first rotation
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -37,7 +37,7 @@ Log readDirection(const std::string& path, LogFormat format, std::size_t directi
   throw LogError(text + "; accepted of six directions: x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, or with other units");
 }
 
-// Reads the first direction, which shows whether the log has wrenches.
+// Reads the first direction. Sets `with_wrench` to whether the log has wrenches.
 Log readFirst(const std::string& path, const LogFormat& format, bool& with_wrench) {
   try {
     with_wrench = true;

@@ -1,4 +1,4 @@
-// Preparation of logs for diagnosis.
+// Prepares logs for diagnosis.
 #include "rubber_suspension/log/record.h"
 
 #include <fmt/format.h>
@@ -19,8 +19,8 @@
 namespace rubber_suspension::log {
 namespace {
 
-// The median of an exponentially distributed periodogram line is ln 2 of its mean; averaging over segments brings the
-// ratio closer to one, to about 1 - 1/(3 segments).
+// Returns the ratio of median to mean for the lines of a periodogram, which are exponentially distributed. It is ln 2
+// for one segment and about 1 - 1/(3 segments) for the average over several segments.
 double medianToMean(Eigen::Index segments) {
   return segments == 1 ? std::log(2.0) : 1.0 - 1.0 / (3.0 * static_cast<double>(segments));
 }
@@ -35,7 +35,7 @@ Eigen::Index segmentLength(Eigen::Index samples) {
 
 double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
 
-// Resamples a log to even time steps, unless it has them.
+// Resamples a log to even time steps, unless its steps are even.
 void setTimeBase(const Log& log, Record& record) {
   TimeSteps steps;
   steps.add(log);
@@ -74,12 +74,12 @@ void setTimeBase(const Log& log, Record& record) {
   blocks.finish(append);
 }
 
-// Returns the weights of a low-pass filter of zero phase that passes `frequency` and stops kStop times that: a sinc in
-// a Kaiser window (Kaiser and Schafer, IEEE Trans. ASSP 28, 1980).
+// The low-pass filter has zero phase, passes up to `frequency` and stops from kStop times `frequency` on. It is a sinc
+// in a Kaiser window (Kaiser and Schafer, IEEE Trans. ASSP 28, 1980).
 constexpr double kStop = 1.6;
 
 Eigen::VectorXd lowPass(double dt, double frequency) {
-  constexpr double kAttenuation = 90.0;  // [dB], for a relative error of 3e-5 in the pass band
+  constexpr double kAttenuation = 90.0;  // [dB]; the relative error in the pass band is then 3e-5
   constexpr double kShape = 0.1102 * (kAttenuation - 8.7);
   const double width = (kStop - 1.0) * frequency * dt;
   const double middle = 0.5 * (kStop + 1.0) * frequency * dt;
@@ -94,7 +94,7 @@ Eigen::VectorXd lowPass(double dt, double frequency) {
   return weights / weights.sum();
 }
 
-// Low-pass filters values, which are mirrored about the first and the last one at the ends.
+// Applies the low-pass filter. Beyond the ends, the values are mirrored about the first and the last value.
 Eigen::VectorXd smooth(const Eigen::VectorXd& values, double dt, double frequency) {
   const Eigen::VectorXd weights = lowPass(dt, frequency);
   const Eigen::Index half = weights.size() / 2;
@@ -125,7 +125,7 @@ Eigen::VectorXd smooth(const Eigen::VectorXd& values, double dt, double frequenc
 
 struct Spectrum {
   Eigen::VectorXd density;
-  double length;  // of a segment [s]
+  double length;  // duration of a segment [s]
 
   Spectrum(const Eigen::VectorXd& values, double dt)
       : density(powerSpectralDensity(values, dt, segmentLength(values.size()))),
@@ -134,7 +134,7 @@ struct Spectrum {
   double frequency(Eigen::Index line) const { return static_cast<double>(line) / length; }
 };
 
-// Returns the frequency below which 99.99 % of the displacement's power above the noise lies.
+// Returns the frequency below which 99.99 % of the displacement's power lies, after the noise floor is subtracted.
 double excitedUpTo(const Spectrum& spectrum, double dt, double floor) {
   const Eigen::VectorXd density = (spectrum.density.array() - 2.0 * floor).max(0.0);
   const double total = density.sum();
@@ -148,10 +148,10 @@ double excitedUpTo(const Spectrum& spectrum, double dt, double floor) {
   return 0.5 / dt;
 }
 
-// Returns the highest frequency at which the displacement exceeds the noise: corners of triangles and ends of ramps
-// have little power, but excite a mass.
+// Returns the highest frequency at which the displacement exceeds its noise floor. The corners of triangles and ramps
+// have little power at high frequencies, but they excite a mass.
 double visibleUpTo(const Spectrum& spectrum, double floor) {
-  constexpr double kStandsOut = 5.0;  // beyond chance for a mean over 8 segments or more
+  constexpr double kStandsOut = 5.0;  // noise does not exceed this by chance in a mean over 8 segments
   Eigen::Index last = spectrum.density.size() - 1;
   while (last > 0 && spectrum.density[last] < kStandsOut * floor) {
     --last;
@@ -159,8 +159,8 @@ double visibleUpTo(const Spectrum& spectrum, double floor) {
   return spectrum.frequency(last);
 }
 
-// Returns the frequency below which 2 % of the displacement's power lies, by a transform of the whole log, because its
-// slowest motion may last as long.
+// Returns the frequency below which 2 % of the displacement's power lies. The whole log is transformed at once, because
+// its slowest motion may last as long.
 double slowestMotion(const Record& record) {
   const Eigen::VectorXd centred = record.displacement.array() - record.displacement.mean();
   const auto spectrum = numerics::paddedSpectrum({centred.begin(), centred.end()});
@@ -198,7 +198,7 @@ void smoothDisplacement(Record& record) {
   }
 }
 
-// Notes a force that has its extreme value in several samples, because its sensor may be saturated.
+// Adds a note if several samples of the force have exactly the extreme value, because the sensor may be saturated.
 void noteSaturation(Record& record) {
   for (const double extreme : {record.force.maxCoeff(), record.force.minCoeff()}) {
     const auto equal = (record.force.array() == extreme).count();

@@ -1,5 +1,5 @@
-// RPC III of MTS, which rigs of MTS and Instron play and record. The header has records of 128 bytes, a key of 32 and a
-// value of 96, in blocks of 512; then come the data, group by group, and in each group channel by channel.
+// The format RPC III of MTS, in which rigs of MTS and Instron play and record. The header consists of records of 128
+// bytes (32 for the key, 96 for the value) in blocks of 512 bytes. Data follow in groups, channel after channel.
 #include "log/rpc_log.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ constexpr std::size_t kBlock = 512;
 constexpr std::size_t kMostChannels = 1000;
 constexpr std::size_t kMostHeaderBlocks = 4096;
 
-// Returns the text up to the first NUL, without blanks around.
+// Returns the text before the first NUL without blanks at its ends.
 std::string fieldText(const char* bytes, std::size_t size) {
   return trimmed(toUtf8(std::string(bytes, std::find(bytes, bytes + size, '\0'))));
 }
@@ -110,7 +110,7 @@ class RpcFile {
     checkSize();
   }
 
-  // Returns the channels as columns, after one of the time, of which the file has the step.
+  // Returns a column of time, which is computed from the time step, and a column for each channel.
   ColumnTable table() {
     ColumnTable table;
     table.names.push_back(parseColumnName("time", "s"));
@@ -157,7 +157,7 @@ class RpcFile {
     last_group_ = samples_ % group_ == 0 ? group_ : samples_ % group_;
   }
 
-  // Notes a scale that is ignored: numbers of single precision are in the channel's unit.
+  // Adds a note if SCALE is ignored, because numbers of single precision are already in the unit of the channel.
   void noteScale(std::size_t channel) {
     const std::string key = ofChannel("SCALE", channel);
     const auto scale = parseNumber(header_.text(key, "1"));
@@ -169,14 +169,14 @@ class RpcFile {
 
   std::size_t width() const { return is_float_ ? sizeof(float) : sizeof(std::int16_t); }
 
-  // Checks the size of the file. The last group is whole, or has no more than its frames.
+  // Checks the size of the file. The last group may be padded to the full size or contain its frames only.
   void checkSize() {
     file_.seekg(0, std::ios::end);
     const auto size = static_cast<std::size_t>(file_.tellg());
     const std::size_t groups = (samples_ + group_ - 1) / group_;
     const std::size_t whole = header_.size() + groups * group_ * channels_ * width();
     const std::size_t shortest = header_.size() + samples_ * channels_ * width();
-    const auto isOf = [&](std::size_t length) {  // exactly, or padded to a block
+    const auto isOf = [&](std::size_t length) {  // exact size, or padded to a whole block
       return size == length || size == (length + kBlock - 1) / kBlock * kBlock;
     };
     element::refuseIf<std::runtime_error>(
@@ -237,16 +237,16 @@ class RpcFile {
   bool big_end_ = false;
   bool is_float_ = false;
   std::size_t channels_ = 0;
-  double dt_ = 0.0;             // [s]
-  std::size_t frame_ = 0;       // samples of a channel in a frame
-  std::size_t group_ = 0;       // in a group
-  std::size_t last_group_ = 0;  // in the last group of the file
-  std::size_t samples_ = 0;     // of each channel
+  double dt_ = 0.0;             // time step [s]
+  std::size_t frame_ = 0;       // samples per channel in a frame
+  std::size_t group_ = 0;       // samples per channel in a group
+  std::size_t last_group_ = 0;  // samples per channel in the last group
+  std::size_t samples_ = 0;     // samples per channel in the file
   std::vector<double> scale_;
   std::vector<std::string> notes_;
 };
 
-// Returns the result of `read` for a file; errors begin with its path.
+// Returns the result of `read` for a file. Adds the path to errors.
 template <class Read>
 auto withRpcFile(const std::string& path, Read read) {
   try {
@@ -290,7 +290,7 @@ std::vector<std::string> readRpcBlocks(const std::string& path, const LogFormat&
 }
 
 std::string rpcFile(double dt, const std::vector<RpcChannel>& channels) {
-  constexpr std::size_t kFrame = 1024;  // samples, one of the sizes that rigs accept: powers of two from 256
+  constexpr std::size_t kFrame = 1024;  // samples per frame; rigs accept powers of two from 256 on
   element::refuseIf(channels.empty() || channels[0].values.empty(), "RPC III: no samples to write");
   const std::size_t samples = channels[0].values.size();
   const std::size_t frames = (samples + kFrame - 1) / kFrame;

@@ -1,4 +1,4 @@
-// Makes samples of a log from the rows of a file.
+// Makes the samples of a log from the rows of a file.
 #include "log/sample_rules.h"
 
 #include <fmt/format.h>
@@ -14,14 +14,14 @@ namespace rubber_suspension::log {
 namespace {
 
 constexpr double kRateAgrees = 0.01;
-constexpr std::size_t kMostCollected = 100000;  // stamps
-constexpr std::size_t kFewestOfLog = 10;        // rows before a time may restart: in fewer, rows may be swapped
-constexpr double kAtBeginning = 3.0;            // steps
-constexpr double kLongestPause = 3.0;           // steps between blocks of one log
+constexpr std::size_t kMostCollected = 100000;  // largest number of stamps that are kept
+constexpr std::size_t kFewestOfLog = 10;        // after fewer rows, an apparent restart may be rows out of order
+constexpr double kAtBeginning = 3.0;            // a restart lies within this many steps of the first stamp
+constexpr double kLongestPause = 3.0;           // largest number of steps between the blocks of one log
 
-// Returns the rate [Hz] of stamps that may be equal, rounded or swapped, by the median step between different stamps
-// and the rows per stamp. The first and the last stamp do not count, because some of their rows may be missing. 0 if
-// unknown.
+// Returns the sampling rate [Hz] of stamps that may be equal, rounded or out of order; 0 if unknown. The rate is the
+// number of rows per stamp divided by the median step between different stamps. The first and the last stamp are not
+// counted, because some of their rows may be missing.
 double rateOfBlock(std::vector<std::int64_t> stamps) {
   std::sort(stamps.begin(), stamps.end());
   const auto first_rows = std::upper_bound(stamps.begin(), stamps.end(), stamps.front()) - stamps.begin();
@@ -43,7 +43,7 @@ double rateOfBlock(std::vector<std::int64_t> stamps) {
   return share * 1e9 / static_cast<double>(numerics::medianOf(stamps));
 }
 
-// Returns the median rate [Hz] of the blocks between large backward steps of the stamps.
+// Splits the stamps where the time falls back far. Returns the median rate [Hz] of the resulting blocks.
 double rateOfStamps(const std::vector<std::int64_t>& stamps) {
   std::vector<std::int64_t> forward;
   for (std::size_t i = 1; i < stamps.size(); ++i) {
@@ -136,7 +136,7 @@ bool SampleRules::repeatsLast(const SampleRow& row) const {
   return row.stamp == last_stamp_ && std::equal(last_.begin(), last_.end(), row.value.begin(), same);
 }
 
-// True for a row of the same stamp whose values are only those that the last row lacks.
+// Returns true if a row has the stamp of the last row and values only where the last row has none.
 bool SampleRules::completesLast(const SampleRow& row) const {
   const auto complement = [](double a, double b) { return std::isnan(a) || std::isnan(b); };
   return row.stamp == last_stamp_ && std::equal(last_.begin(), last_.end(), row.value.begin(), complement);

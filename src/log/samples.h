@@ -1,4 +1,4 @@
-// Samples of a log and their channels.
+// Functions on the samples and channels of a log.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,13 @@
 
 namespace rubber_suspension::log {
 
-/// The channels of a log, each of which may be empty.
+/// The channels of a log with values per sample. Each of them may be empty.
 inline constexpr std::array<std::vector<double> Log::*, 4> kChannels = {&Log::displacement, &Log::force,
                                                                         &Log::temperature, &Log::across};
 
-/// Returns true if the force of a sample was measured.
 inline bool isCounted(const Log& log, std::size_t i) { return log.counts.empty() || log.counts[i] > 0.0; }
 
-/// Appends samples [first, first + count) of a log to those of another with the same columns, or with none.
+/// Appends the samples [first, first + count) of a log to another log, which has the same channels or is empty.
 inline void appendSamples(const Log& from, std::size_t first, std::size_t count, Log& to) {
   if (!from.counts.empty() && to.counts.empty()) {
     to.counts.assign(to.size(), 1.0);
@@ -39,7 +38,7 @@ inline void appendSamples(const Log& from, std::size_t first, std::size_t count,
   to.units = from.units;
 }
 
-/// Returns these samples under the log's name, without its notes.
+/// Returns the samples [first, first + count) as a log of the same name, without notes.
 inline Log samplesOf(const Log& log, std::size_t first, std::size_t count) {
   Log result;
   result.name = log.name;
@@ -47,8 +46,8 @@ inline Log samplesOf(const Log& log, std::size_t first, std::size_t count) {
   return result;
 }
 
-/// Passes the samples to `take` in blocks of at most `block`. `first`: place of the first one in the whole log, which
-/// is advanced. Returns false as soon as `take` does.
+/// Passes the samples to `take` in blocks of at most `block` samples. `first` is the index of the first sample in the
+/// whole log and is advanced. Returns false as soon as `take` returns false.
 inline bool handOutBlocks(const Log& log, std::size_t block, const LogSource::Take& take, std::size_t& first) {
   bool more = true;
   for (std::size_t done = 0; more && done < log.size(); done += block) {

@@ -1,4 +1,4 @@
-// Merges displacement, force and temperature, which may have clocks of their own.
+// Merges displacement, force and temperature, which may be sampled at different times.
 #include "log/signals.h"
 
 #include <fmt/format.h>
@@ -15,13 +15,13 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::size_t kLookAhead = 262144;     // rows examined at once, and samples that await a value of a slow signal
-constexpr std::int64_t kLongestSteps = 3;      // median steps of a signal, over which it is interpolated at most
-constexpr double kBridged = 0.5;               // [s], as the node bridges by default
-constexpr std::size_t kFewestPerGap = 100;     // rows per lost one, unless --bridge is given
-constexpr std::size_t kFewestPerAdvised = 10;  // rows per one that an option may omit
-constexpr std::size_t kMostPlaces = 4;         // that a note names
-constexpr double kFarOff = 100.0;              // ranges of the others, between them and a code of missing values
+constexpr std::size_t kLookAhead = 262144;     // rows examined first, and samples that may wait for a slow signal
+constexpr std::int64_t kLongestSteps = 3;      // a signal is interpolated over at most this many of its median steps
+constexpr double kBridged = 0.5;               // [s], the default of the node
+constexpr std::size_t kFewestPerGap = 100;     // without --bridge, one of this many rows may lack a displacement
+constexpr std::size_t kFewestPerAdvised = 10;  // an option is suggested if it omits at most one of this many rows
+constexpr std::size_t kMostPlaces = 4;         // largest number of positions in a note
+constexpr double kFarOff = 100.0;              // a code of missing values is off by this multiple of the others' range
 
 bool isMeasured(double value) { return !std::isnan(value); }
 
@@ -32,7 +32,8 @@ void requireSize(std::size_t place, const Column& column, double value) {
   }
 }
 
-// True if the middle three quarters span far less than all values: only then may there be a code of missing values.
+// Returns true if the range of all values exceeds kFarOff times that of the middle three quarters. Otherwise no value
+// can be a code of missing values.
 bool mayHoldSentinel(const std::vector<double>& values) {
   constexpr std::size_t kSampled = 1000;
   const std::size_t stride = values.size() / kSampled + 1;
@@ -46,9 +47,9 @@ bool mayHoldSentinel(const std::vector<double>& values) {
   return *high - *low > kFarOff * (sampled[sampled.size() - 1 - tail] - sampled[tail]);
 }
 
-// True for a value that occurs in runs between values of the usual range, and is rare unless it fills the rows between
-// the samples of a slow signal. A signal that steps to a value and stays there has measured it, and so has one that
-// rises to it by other values out of range.
+// Returns true if `value` is a code of missing values. Each run of a code lies between values from `low` to `high`. The
+// code fills at most a tenth of the rows, or all rows between the samples of a slow signal. A signal that steps to a
+// value and remains there, or reaches it through other values out of range, has measured it.
 bool isMissingValueCode(const std::vector<double>& values, double value, double low, double high) {
   std::size_t cells = 0;
   std::size_t other_runs = 0;
@@ -70,11 +71,11 @@ bool isMissingValueCode(const std::vector<double>& values, double value, double 
 
 struct Peeled {
   std::vector<double> values;
-  double low = 0.0;  // of the others
+  double low = 0.0;  // range of the other values
   double high = 0.0;
 };
 
-// Returns repeated values at the ends of ascending ones that lie far beyond all others.
+// Returns repeated lowest and highest values that are farther from all others than kFarOff times the others' range.
 Peeled peel(const std::vector<double>& ascending) {
   constexpr std::size_t kMostDistinct = 4;  // at each end
   const auto peelable = [&](auto begin, auto end) {
@@ -244,8 +245,8 @@ void Signals::dropSentinels(SignalRow& row) {
   }
 }
 
-// Throws if a later value far outside the range repeats: at the beginning of the log it would have been taken for a
-// code of missing values.
+// Throws if a value far outside the range occurs twice after the first kLookAhead rows, because among those rows it
+// would have been taken for a code of missing values.
 void Signals::watchRange(std::size_t signal, const SignalRow& row) {
   Signal& state = signals_[signal];
   const double value = row.value[signal];
@@ -323,7 +324,7 @@ void Signals::addSample(const SignalRow& row) {
   motion.begun = true;
   motion.last_stamp = row.stamp;
   Sample sample{row.stamp, row.value, true};
-  for (const std::size_t s : {kForce, kTemperature}) {  // the value may be in a row of the same stamp
+  for (const std::size_t s : {kForce, kTemperature}) {  // a row of the same stamp may have had the value
     Signal& state = signals_[s];
     if (state.begun && state.last_stamp == row.stamp && !isMeasured(row.value[s]) &&
         state.next == passed_ + pending_.size()) {
@@ -341,8 +342,8 @@ void Signals::addMissing(const SignalRow& row, bool faulty) {
   gap_faults_ += faulty ? 1 : 0;
 }
 
-// Interpolates the samples since the preceding value. They count if the signal has a clock of its own; between values
-// with the stamps of displacements none was measured.
+// Interpolates a signal at the samples that wait for its next value. If the force has a clock of its own, these samples
+// count as measured. If its values share stamps with the displacement, the force was not measured in between.
 void Signals::arrive(std::size_t signal, const SignalRow& row) {
   Signal& state = signals_[signal];
   const double value = row.value[signal];
@@ -375,7 +376,7 @@ void Signals::handOut(Log& to, bool all) {
       if (!all && pending_.size() <= kLookAhead) {
         return;
       }
-      sample.value[s] = state.last_value;  // there is no next value
+      sample.value[s] = state.last_value;  // holds the last value, because no further one follows
       sample.counts = sample.counts && s != kForce;
       state.next = passed_ + 1;
     }
@@ -438,7 +439,7 @@ void Signals::refuseGaps() const {
   throw RowError(too_long ? longest_place_ : first, reason + "; accepted: a finite number" + advice());
 }
 
-// Suggests an option only if that omits a tenth of the rows at most.
+// Returns the suggestion of an option for the error, provided that it would omit at most a tenth of the rows.
 std::string Signals::advice() const {
   if (lost_rows_ * kFewestPerAdvised > rows_ || !signals_[kMotion].there) {
     return signals_[kMotion].there ? fmt::format(" in nine of ten rows, for {} of {} lack one", lost_rows_, rows_) : "";

@@ -1,4 +1,4 @@
-// Small helpers on text and files that the readers share.
+// Functions on text and files that the readers share.
 #include "log/text.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ namespace {
 using Utf8 = boost::locale::utf::utf_traits<char>;
 using boost::locale::utf::code_point;
 
-// Returns the character of UTF-8 at `at` and moves behind it; nullopt, one byte on, if there is none.
+// Returns the UTF-8 character at `at` and advances `at` past it. Returns nullopt for an invalid byte.
 std::optional<code_point> takeCharacter(const char*& at, const char* end) {
   const char* next = at;
   const code_point character = Utf8::decode(next, end);
@@ -34,7 +34,7 @@ std::optional<code_point> takeCharacter(const char*& at, const char* end) {
   return valid ? std::optional(character) : std::nullopt;
 }
 
-// True for control characters, and those that change the direction of writing or cannot be seen (Unicode Cf, Zl, Zp).
+// Returns true for control characters, and for characters that change the direction of writing or are invisible.
 bool isHarmful(code_point character) {
   constexpr std::pair<code_point, code_point> kRanges[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0x200B, 0x200F},
                                                            {0x2028, 0x202E}, {0x2060, 0x2060}, {0x2066, 0x2069},
@@ -43,12 +43,12 @@ bool isHarmful(code_point character) {
                      [&](const auto& range) { return character >= range.first && character <= range.second; });
 }
 
-// Returns text that can only be Shift-JIS, as Japanese instruments write it (Windows' code page 932), in UTF-8: it has
-// a byte that is no character of Latin-1, and is valid in that code. nullopt for other text.
+// Converts text from Shift-JIS (Windows code page 932), which Japanese instruments write, to UTF-8. Returns nullopt if
+// the text is not valid Shift-JIS, or has no byte that would be a control character in Latin-1.
 std::optional<std::string> fromCp932(const std::string& text) {
   const bool may_be = std::any_of(text.begin(), text.end(), [](char c) { return c >= '\x81' && c <= '\x9F'; });
   const std::unique_ptr<void, int (*)(iconv_t)> converter(may_be ? iconv_open("UTF-8", "CP932") : nullptr, iconv_close);
-  // iconv_open's value for failure.
+  // iconv_open() returns -1 on failure.
   if (!may_be || converter.get() == reinterpret_cast<iconv_t>(-1)) {  // NOLINT(performance-no-int-to-ptr)
     return std::nullopt;
   }
@@ -121,7 +121,7 @@ std::string quoted(const std::string& text) {
   constexpr std::size_t kLongest = 60;
   std::size_t end = std::min(kLongest, text.size());
   while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
-    --end;  // do not cut a character in two
+    --end;  // does not split a character
   }
   return fmt::format("'{}{}'", oneLine(text.substr(0, end)), end < text.size() ? "..." : "");
 }
@@ -130,7 +130,7 @@ std::string join(const std::vector<std::string>& names) { return fmt::format("{}
 
 void refuseNamedPipe(const std::string& path) {
   struct stat status{};
-  // The shell has already opened the pipe of a command in <(...).
+  // A pipe that the shell made for <(COMMAND) already has a writer.
   const bool is_open = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
   element::refuseIf<std::runtime_error>(
       !is_open && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode),

@@ -1,4 +1,4 @@
-// Small helpers on text that the readers share.
+// Functions on text and files that the readers share.
 #pragma once
 
 #include <locale.h>
@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::log {
 
-/// Returns the locale in which a decimal point is a point, whatever the user's is.
+/// Returns a locale in which the decimal mark is a point, independent of the user's locale.
 inline locale_t cLocale() {
   static const locale_t locale = newlocale(LC_ALL_MASK, "C", nullptr);
   return locale;
@@ -18,7 +18,7 @@ inline locale_t cLocale() {
 
 constexpr std::string_view kBlanks = " \t";
 
-/// Returns the text without blanks at its ends.
+/// Returns the text without the blanks at its ends.
 inline std::string_view trimmedView(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
   return first == std::string_view::npos ? std::string_view()
@@ -35,32 +35,31 @@ inline bool endsWith(std::string_view text, std::string_view end) {
 /// Returns the text with ASCII letters in lower case.
 std::string lowerCase(std::string text);
 
-/// Returns true if all bytes belong to characters of UTF-8.
+/// Returns true if the text is valid UTF-8.
 bool isUtf8(const std::string& text);
 
-/// Converts text to UTF-8 from Shift-JIS if it can only be that, else from Latin-1; UTF-8 is returned unchanged.
+/// Returns UTF-8 unchanged. Converts other text from Shift-JIS if it can be nothing else, and otherwise from Latin-1.
 std::string toUtf8(const std::string& text);
 
-/// Returns the text as a terminal may show it, on one line: blanks for line ends and tabs; \xNN for control characters,
-/// those that change the direction of writing, and bytes that are no UTF-8.
+/// Returns the text in a form that is safe to show on one line of a terminal. Line ends and tabs become blanks. Bytes
+/// that are not UTF-8, and characters that control the terminal or the direction of writing, become \xNN.
 std::string oneLine(const std::string& text);
 
-/// Returns text of a user in quotes, for one line of an error: shortened if it is long, and as by oneLine().
+/// Returns text from a user or a file in quotes for an error: on one line as by oneLine(), and shortened if it is long.
 std::string quoted(const std::string& text);
 
-/// Returns the ending of a noun that counts things.
+/// Returns the plural ending "s", or "" if the count is 1.
 inline const char* pluralOf(std::size_t count) { return count == 1 ? "" : "s"; }
 
-/// Joins names to a list "a, b, c".
 std::string join(const std::vector<std::string>& names);
 
-/// Throws std::runtime_error for a named pipe, which would block if no program writes to it.
+/// Throws std::runtime_error for a named pipe. Reading it would block if no program writes to it.
 void refuseNamedPipe(const std::string& path);
 
-/// Returns the content of a file of at most `maximum_size` bytes. Throws std::runtime_error with the reason.
+/// Returns the content of a file. Throws std::runtime_error with the reason, also for more than `maximum_size` bytes.
 std::string readFile(const std::string& path, std::size_t maximum_size);
 
-/// Reads a file; the error is one line, from the path to what is accepted.
+/// Returns the content of a file. The error is one line that begins with the path and ends with `accepted`.
 std::string readInput(const std::string& path, std::size_t maximum_size, const std::string& accepted = "");
 
 }  // namespace rubber_suspension::log

@@ -1,4 +1,4 @@
-// Reads a log as text in UTF-8, by Boost if it is gzip, by iconv if it is UTF-16.
+// Reads a file as UTF-8 text. Boost decompresses gzip, iconv converts UTF-16.
 #include "log/text_source.h"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ class FileBytes final : public ByteSource {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-// Returns 0 if it is no regular file.
+// Returns the size of a regular file, and 0 for anything else.
 std::size_t sizeOfFile(const std::string& path) {
   struct stat status{};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
@@ -82,9 +82,9 @@ class PeekedSource final : public ByteSource {
   std::size_t taken_ = 0;
 };
 
-constexpr std::size_t kPortion = 64 * 1024;  // bytes that are decoded at a time
+constexpr std::size_t kPortion = 64 * 1024;  // number of bytes that are decoded at a time
 
-// Passes packed bytes to the library and counts them.
+// Passes compressed bytes to the library and counts them.
 struct PackedBytes : boost::iostreams::source {
   ByteSource* source;
   std::size_t* count;
@@ -96,7 +96,7 @@ struct PackedBytes : boost::iostreams::source {
   }
 };
 
-// Unpacks one gzip member, or several behind each other.
+// Decompresses a gzip file, which may consist of several members.
 class GzipSource final : public ByteSource {
  public:
   GzipSource(std::unique_ptr<ByteSource> source, bool large, std::size_t size)
@@ -124,8 +124,8 @@ class GzipSource final : public ByteSource {
  private:
   std::unique_ptr<ByteSource> source_;
   bool large_;
-  std::size_t size_;        // of the file; 0: unknown
-  std::size_t packed_ = 0;  // bytes read so far
+  std::size_t size_;        // size of the file; 0: unknown
+  std::size_t packed_ = 0;  // compressed bytes read so far
   std::size_t unpacked_ = 0;
   boost::iostreams::filtering_istream stream_;
 };
@@ -136,7 +136,7 @@ class Utf16Source final : public ByteSource {
       : source_(std::move(source)),
         converter_(iconv_open("UTF-8", little_endian ? "UTF-16LE" : "UTF-16BE")),
         input_(kPortion) {
-    // iconv_open's value for failure.
+    // iconv_open() returns -1 on failure.
     if (converter_ == reinterpret_cast<iconv_t>(-1)) {  // NOLINT(performance-no-int-to-ptr)
       throw std::runtime_error("UTF-16: this system cannot convert it; accepted: UTF-8");
     }
@@ -180,7 +180,7 @@ class Utf16Source final : public ByteSource {
 
 enum class Encoding { bytes, utf16_little_endian, utf16_big_endian };
 
-// Recognises UTF-16 without a byte order mark: most characters of a log are ASCII, so every other byte is 0.
+// Recognises UTF-16 without a byte order mark. Most characters of a log are ASCII, so that every other byte is 0.
 Encoding guessedEncoding(const std::string& head) {
   std::size_t zeros[2] = {};
   for (std::size_t i = 0; i < head.size(); ++i) {

@@ -1,4 +1,4 @@
-// Reads a log as text in UTF-8, whatever the file is (plain, gzip, UTF-16), and its lines.
+// Reads a plain, gzip or UTF-16 file as text in UTF-8, whole or line by line.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::log {
 
-/// A stream of bytes. Throws std::runtime_error with the reason if it cannot be read.
+/// A stream of bytes. read() throws std::runtime_error with the reason if reading fails.
 class ByteSource {
  public:
   ByteSource() = default;
@@ -16,36 +16,36 @@ class ByteSource {
   ByteSource& operator=(const ByteSource&) = delete;
   virtual ~ByteSource() = default;
 
-  /// Reads up to `size` bytes and returns their number; 0 at the end only.
+  /// Reads up to `size` bytes and returns their number, which is 0 only at the end of the stream.
   virtual std::size_t read(char* to, std::size_t size) = 0;
 };
 
-/// The text of a log and what it was made from.
+/// The text of a file, and how the file encodes it.
 struct TextSource {
-  std::unique_ptr<ByteSource> bytes;  ///< without byte order mark; UTF-8, or perhaps Latin-1 if the file has no mark
-  std::string coding;                 ///< "", "UTF-16", "gzip", "gzip, UTF-16"
+  std::unique_ptr<ByteSource> bytes;  ///< UTF-8 or Latin-1, without byte order mark
+  std::string coding;                 ///< "", "UTF-16", "gzip" or "gzip, UTF-16"
 };
 
-/// Opens a log as text. The file is read once, from its start, so that it may be a pipe. Throws std::runtime_error with
-/// the system's reason, or for a known format other than text, with its name and how to convert it. `large`: gzip may
-/// expand to more than refuseUnpacked() accepts.
+/// Opens a file as text. The file is read once from its start, so it may be a pipe. Throws std::runtime_error with the
+/// reason of the system, or for a known format other than text with its name and a way to convert it. If `large` is
+/// true, gzip may expand beyond the limit of refuseUnpacked().
 TextSource openText(const std::string& path, bool large = false);
 
-/// Reads a whole text of at most `maximum_size` bytes. Throws as openText() does, and for more bytes.
+/// Returns the whole text. Throws as openText() does, and for a text of more than `maximum_size` bytes.
 std::string readText(const std::string& path, std::size_t maximum_size);
 
-/// Reads text line by line through a bounded buffer, for files of any size.
+/// Reads text line by line through a buffer of fixed size, for files of any size.
 class LineReader {
  public:
   LineReader(std::unique_ptr<ByteSource> source, std::size_t maximum_line);
 
-  /// Returns the next line, ended by a 0 in place of its line end (LF, CRLF, or CR in a file without LF), or nullptr at
-  /// the end of the file; valid until the next call. Throws std::runtime_error for a line that is too long or contains
-  /// a 0 byte, and if reading fails.
+  /// Returns the next line, or nullptr at the end of the file. The line end (LF, CRLF, or CR in a file without LF) is
+  /// replaced by a null character. The line is valid until the next call. Throws std::runtime_error if reading fails or
+  /// a line is too long or contains a null character.
   char* next();
 
-  std::size_t line() const { return line_; }     ///< number of the line last returned, from 1
-  bool lastLineEnded() const { return ended_; }  ///< false if the file ends in the middle of a line
+  std::size_t line() const { return line_; }     ///< number of the line that was returned last, counted from 1
+  bool lastLineEnded() const { return ended_; }  ///< false if the file ends without a line end
 
  private:
   void fill();

@@ -1,4 +1,4 @@
-// Times that are written as a clock or a calendar shows them.
+// Reads times of day, dates and durations that are written as text.
 #include "log/time_text.h"
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 namespace rubber_suspension::log {
 namespace {
 
-constexpr std::int64_t kNanoseconds = 1000000000;  // in a second
+constexpr std::int64_t kNanoseconds = 1000000000;  // nanoseconds per second
 constexpr std::int64_t kDay = 86400 * kNanoseconds;
 
 bool isDigitOfTime(char c) { return c >= '0' && c <= '9'; }
 
-// Parses text from the front.
+// Parses a text from its beginning.
 class TimeText {
  public:
   explicit TimeText(std::string_view text) : rest_(text) {}
@@ -37,7 +37,7 @@ class TimeText {
 
   void skipBlanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
 
-  // Reads a number of at most `most` digits; -1 without digits, or with more.
+  // Reads a number. Returns -1 if there are no digits or more than `most`.
   int number(std::size_t most) {
     std::size_t digits = 0;
     int value = 0;
@@ -48,7 +48,7 @@ class TimeText {
     return digits == 0 || digits > most ? -1 : value;
   }
 
-  // Reads the fraction of a second [ns]; digits below a nanosecond are ignored.
+  // Reads the digits after the decimal mark of a second [ns]. Digits below one nanosecond are ignored.
   std::int64_t fraction() {
     std::int64_t value = 0;
     std::int64_t unit = kNanoseconds / 10;
@@ -65,8 +65,8 @@ class TimeText {
 };
 
 struct CalendarDay {
-  std::int64_t days = 0;  // since 1970
-  bool doubtful = false;  // day and month may be exchanged
+  std::int64_t days = 0;  // days since 1970
+  bool doubtful = false;  // true if day and month may be exchanged
   bool exists = true;
 };
 
@@ -78,7 +78,7 @@ std::optional<CalendarDay> takeDate(TimeText& text) {
       (parts[2] = text.number(4)) < 0) {
     return std::nullopt;
   }
-  if (parts[0] <= 31) {  // the year is the last number
+  if (parts[0] <= 31) {  // the year is the last of the three numbers
     std::swap(parts[0], parts[2]);
     const bool month_first = separator == '/' && parts[2] <= 12;
     if (month_first) {
@@ -97,7 +97,7 @@ std::optional<CalendarDay> takeDate(TimeText& text) {
   }
 }
 
-// 12 PM is noon, 12 AM midnight.
+// Converts the hour with AM or PM to 24 hours: 12 PM is noon, 12 AM midnight.
 int hourOf(int hour, TimeText& text) {
   text.skipBlanks();
   const bool after_noon = text.take("Pp");
@@ -121,7 +121,7 @@ std::optional<std::int64_t> takeClock(TimeText& text) {
       return std::nullopt;
     }
     nanoseconds = second * kNanoseconds + (text.take(".,:") ? text.fraction() : 0);
-  } else if (text.take(".,")) {  // minutes, seconds and their fraction, as spreadsheets show them
+  } else if (text.take(".,")) {  // "minutes:seconds.fraction", as spreadsheets show a time
     return (hour * 60 + minute) * kNanoseconds + text.fraction();
   }
   hour = hourOf(hour, text);
@@ -131,7 +131,7 @@ std::optional<std::int64_t> takeClock(TimeText& text) {
   return (hour * 60 + minute) * 60 * kNanoseconds + nanoseconds;
 }
 
-// Reads a time zone, east of Greenwich [ns]; 0 without one.
+// Returns the offset of the time zone [ns], positive east of Greenwich; 0 if none is stated, nullopt for other text.
 std::optional<std::int64_t> takeZone(TimeText& text) {
   text.skipBlanks();
   if (text.atEnd() || text.take("Zz")) {
@@ -150,7 +150,7 @@ std::optional<std::int64_t> takeZone(TimeText& text) {
   return (west ? -1 : 1) * (hours * 60 + minutes) * 60 * kNanoseconds;
 }
 
-// Reads "0 days 00:00:00.001", as pandas writes a duration; a negative one is days before a time of day.
+// Reads a duration as pandas writes it: "0 days 00:00:00.001", or "-1 days +23:59:59" if negative.
 std::optional<std::int64_t> takeDays(std::string_view text) {
   TimeText whole(text);
   const bool before = whole.take("-");
@@ -166,7 +166,7 @@ std::optional<std::int64_t> takeDays(std::string_view text) {
   return of_day && whole.atEnd() ? std::optional((before ? -days : days) * kDay + *of_day) : std::nullopt;
 }
 
-// Reads a number and its unit, "0.001 sec".
+// Reads a number with its unit, "0.001 sec".
 std::optional<std::int64_t> takeQuantity(std::string_view text) {
   const std::size_t blank = text.find_first_of(kBlanks);
   if (blank == std::string_view::npos || blank == 0 || !(isDigitOfTime(text[blank - 1]) || text[blank - 1] == '.')) {
@@ -185,7 +185,7 @@ std::optional<std::int64_t> takeQuantity(std::string_view text) {
     const long double nanoseconds = std::strtold(number.c_str(), nullptr) * static_cast<long double>(seconds) * 1e9L;
     constexpr long double kMost = 9e18L;
     return std::abs(nanoseconds) < kMost ? std::optional<std::int64_t>(std::llroundl(nanoseconds)) : std::nullopt;
-  } catch (const std::invalid_argument&) {  // the unit is not one of time
+  } catch (const std::invalid_argument&) {  // the unit does not measure time
     return std::nullopt;
   }
 }
@@ -195,7 +195,7 @@ std::optional<std::int64_t> takeQuantity(std::string_view text) {
 bool isTimeText(std::string_view text) {
   try {
     return TimeTextReader().read(text).has_value();
-  } catch (const std::runtime_error&) {  // the date does not exist
+  } catch (const std::runtime_error&) {  // the text is a date, but no such day exists
     return true;
   }
 }

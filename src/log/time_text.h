@@ -1,4 +1,4 @@
-// Times that are written as a clock or a calendar shows them.
+// Reads times of day, dates and durations that are written as text.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,17 @@
 
 namespace rubber_suspension::log {
 
-/// Returns true for a clock time, a date with a clock time, or a duration: "14:31:07,123", "12.03.2025 14:31:07",
+/// Returns true for a time of day, a date with a time of day, or a duration: "14:31:07,123", "12.03.2025 14:31:07",
 /// "2025-03-12T14:31:07.5Z", "0 days 00:00:00.001", "0.001 sec".
 bool isTimeText(std::string_view text);
 
-/// Reads consecutive times. A clock without a date that falls back by more than half a day has passed midnight.
+/// Reads consecutive times. If a time of day without a date falls back by more than half a day, midnight has passed.
 class TimeTextReader {
  public:
-  /// Returns the time [ns] by zone (Z, +01:00), AM and PM: since 1970 in UTC with a date, since the first midnight
-  /// without; nullopt for other text. 12/03/2025 is the 3rd of December unless its first number exceeds 12. Throws
-  /// std::runtime_error if such an ambiguous date changes within the log, or a date does not exist.
+  /// Returns the time [ns] with respect to the time zone (Z, +01:00), if any; nullopt for other text. A time with a
+  /// date counts from 1970 in UTC, a time without a date from the first midnight. 12/03/2025 means the 3rd of December,
+  /// because the month stands first unless the first number exceeds 12. Throws std::runtime_error if such an ambiguous
+  /// date changes within the log, or a date does not exist.
   std::optional<std::int64_t> read(std::string_view text);
 
  private:

@@ -1,4 +1,4 @@
-// Physical units by UDUNITS-2. Its system of units is read once and guarded by a lock, as it is not thread-safe.
+// Converts physical units by means of UDUNITS-2. The library is not thread-safe, so a mutex guards its data.
 #include "rubber_suspension/log/units.h"
 
 #include <fmt/format.h>
@@ -37,10 +37,10 @@ ut_system* unitSystem() {
     element::refuseIf(made == nullptr, "UDUNITS-2 found no unit database; install libudunits2-data");
     for (const auto& [name, unit, is_symbol] :
          {std::tuple("deg", "arc_degree", false),
-          // German for degrees, case-sensitive as a symbol. Otherwise it would be a giga-radian.
+          // German for degree. As a symbol it is case-sensitive; otherwise it would be read as giga-radian.
           std::tuple("Grad", "arc_degree", true), std::tuple("tonf", "1000 kgf", false),
           std::tuple("kip", "1000 lbf", false), std::tuple("mil", "0.001 in", false),
-          // Laboratories write dampings without a blank, also with a prefix: kNs/m.
+          // Laboratories write the unit of a damping constant without a blank, also with a prefix: kNs/m.
           std::tuple("Ns", "N s", true)}) {
       const UnitPointer parsed(ut_parse(made, unit, UT_ASCII), ut_free);
       (is_symbol ? ut_map_symbol_to_unit : ut_map_name_to_unit)(name, UT_ASCII, parsed.get());
@@ -50,7 +50,7 @@ ut_system* unitSystem() {
   return system;
 }
 
-// Units as headers of logs spell them, in lower case, and as UDUNITS-2 does.
+// A unit as headers of logs write it, in lower case, and the same unit as UDUNITS-2 spells it.
 struct Spelling {
   const char* written;
   const char* unit;
@@ -76,7 +76,7 @@ constexpr Spelling kSpellings[] = {
     {"\u03bcm", "um"},    {"mil", "mil"},     {"ft", "ft"},        {"ns", "ns"},      {"\u00b5s", "us"},
 };
 
-// Symbols that would be another unit in lower case.
+// Symbols that mean another unit in lower case.
 constexpr const char* kSymbols[] = {"mN", "MN", "GN", "uN",   "\u00b5N", "dN",  "hN",
                                     "nm", "km", "dm", "degC", "degF",    "rad", "deg"};
 
@@ -92,7 +92,7 @@ bool isUnitByte(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-// Returns the place behind the integer exponent at `at`, `at` without one; nullopt for a sign or ^ alone.
+// Returns the position after the exponent at `at`, if any; nullopt for a sign or ^ without digits.
 std::optional<std::size_t> behindExponent(const std::string& text, std::size_t at) {
   const std::size_t power = at + (text.compare(at, 1, "^") == 0 ? 1 : 0);
   const std::size_t digits = power + (text.compare(power, 1, "-") == 0 ? 1 : 0);
@@ -100,8 +100,8 @@ std::optional<std::size_t> behindExponent(const std::string& text, std::size_t a
   return end == digits && digits > at ? std::nullopt : std::optional(end);
 }
 
-// True for one unit expression: words between blanks, `*` and `/`, with integer exponents. The grammar of UDUNITS also
-// allows numbers, origins ("since") and logarithms.
+// Returns true for a product or quotient of words with integer exponents, written with blanks, `*` and `/`. UDUNITS
+// also accepts numbers, origins ("since") and logarithms, which are refused here.
 bool isUnitExpression(const std::string& text) {
   static const std::array<const char*, 5> kOrigins = {"since", "from", "after", "ref", "per"};
   if (text.find('%') != std::string::npos) {
@@ -135,7 +135,7 @@ UnitPointer parseUnit(const std::string& text) {
   return {is_unit ? ut_parse(unitSystem(), text.c_str(), UT_UTF8) : nullptr, ut_free};
 }
 
-// UDUNITS converts the radian to the number 1; the definition of the unit shows whether it contains one.
+// Returns true if the definition of a unit contains the radian. UDUNITS itself converts the radian to the number 1.
 bool containsAngle(const ut_unit* unit) {
   char text[256];
   const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
@@ -148,7 +148,7 @@ bool areConvertible(const ut_unit* from, const ut_unit* to) {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// Replaces each word of the text by the common unit that it resembles, if any.
+// Returns the text with each word replaced by the common unit that it resembles, if there is one.
 std::string respelt(const std::string& text) {
   static const std::vector<std::string> kUnits = {"N",   "kN",   "MN",     "m",     "mm",     "um",  "cm", "s",
                                                   "ms",  "Hz",   "kHz",    "rad",   "deg",    "kg",  "J",  "min",
@@ -164,7 +164,7 @@ std::string respelt(const std::string& text) {
   return result;
 }
 
-// Returns " (did you mean 'kN/mm'?)" for "kn/mm" if that converts to the unit that is wanted.
+// Returns " (did you mean 'kN/mm'?)" for "kn/mm" if the corrected unit converts to `wanted`; otherwise an empty text.
 std::string spellingHint(const std::string& text, const ut_unit* wanted) {
   constexpr std::size_t kLongestUnit = 20;
   const std::string other = text.size() <= kLongestUnit ? respelt(text) : text;
@@ -177,7 +177,7 @@ std::string spellingHint(const std::string& text, const ut_unit* wanted) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-// True if three digits follow each separator, from the first on.
+// Returns true if three digits follow each separator from position `first` on.
 bool endsInGroups(const std::string& digits, std::size_t first, char separator) {
   for (std::size_t i = first; i < digits.size(); ++i) {
     if ((digits[i] == separator) != ((i - first) % 4 == 0)) {
@@ -187,10 +187,10 @@ bool endsInGroups(const std::string& digits, std::size_t first, char separator) 
   return (digits.size() - first) % 4 == 0;
 }
 
-// Throws if a decimal comma or separators of thousands follow a number, rather than a unit.
+// Throws if the number is followed by a decimal comma or by separators of thousands instead of a unit.
 void refuseSeparators(const std::string& text, std::size_t length) {
   const char separator = length < text.size() ? text[length] : ' ';
-  if (text.compare(length, 3, " 1/") == 0) {  // "2e-4 1/J"
+  if (text.compare(length, 3, " 1/") == 0) {  // a unit follows, as in "2e-4 1/J"
     return;
   }
   if (length + 1 >= text.size() || !isDigit(text[length + 1]) ||
@@ -212,17 +212,17 @@ void refuseSeparators(const std::string& text, std::size_t length) {
                                   text.begin() + static_cast<std::ptrdiff_t>(end), separator) > 1;
   const bool thousands = separator != ',' || several;
   if (thousands && !groups) {
-    return;  // several numbers
+    return;  // the text is a list of numbers
   }
   element::refuseIf(thousands, "separators of thousands (did you mean '{}{}'?)", digits, rest);
-  const bool three = end - length == 4;  // "3,000" is either
+  const bool three = end - length == 4;  // the comma in "3,000" may be decimal or separate thousands
   throw std::invalid_argument(three ? fmt::format("a comma (did you mean '{0}{2}' or '{1}{2}'?)", point, digits, rest)
                                     : fmt::format("a decimal comma (did you mean '{}{}'?)", point, rest));
 }
 
 std::size_t signLength(const std::string& text) { return !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0; }
 
-// Returns the length of the decimal number at the front; strtod also accepts "0x1p3", "infinity" and the like.
+// Returns the length of the decimal number at the beginning. strtod() alone would accept "0x1p3" and "infinity".
 std::size_t numberLength(const std::string& text) {
   const std::size_t begin = signLength(text);
   if (begin == text.size() || !(isDigit(text[begin]) || text[begin] == '.')) {
@@ -296,7 +296,7 @@ UnitConversion::UnitConversion(const std::string& from, const std::string& to) {
   }
   const ConverterPointer converter(ut_get_converter(source.get(), target.get()), cv_free);
   offset_ = cv_convert_double(converter.get(), 0.0);
-  if (!std::isfinite(offset_)) {  // the library converts Hz to s
+  if (!std::isfinite(offset_)) {  // UDUNITS converts Hz to s, with an infinite result for 0 Hz
     throw std::invalid_argument(
         fmt::format("unit {} is the reciprocal of a unit that can be converted to {}", quoted(from), to));
   }

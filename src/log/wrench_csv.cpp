@@ -1,4 +1,4 @@
-// Writes wrenches over poses as CSV.
+// Writes the wrenches of a log of poses as CSV.
 #include <fmt/format.h>
 
 #include <iterator>

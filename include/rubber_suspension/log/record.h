@@ -1,4 +1,4 @@
-// A measured log prepared for diagnosis: even time steps, displacement without sensor noise, samples that count.
+// A measured log prepared for diagnosis: with even time steps and a displacement without sensor noise.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,73 +10,73 @@
 
 namespace rubber_suspension::log {
 
-constexpr std::size_t kFewestSamples = 100;  ///< of a record
+constexpr std::size_t kFewestSamples = 100;  ///< smallest number of samples of a record
 
-/// The motion before the first sample of an excerpt. It is coarse, sets the memory of the component, and is not
-/// compared with forces.
+/// The motion before the first sample of an excerpt. It sets the initial state of the component. Forces are ignored.
 struct LeadIn {
   double dt = 0.0;                   ///< [s]
-  std::vector<double> displacement;  ///< [m], at even steps; empty if the component was at rest before
-  bool continues = false;            ///< begins where the preceding record ended, without a rest
+  std::vector<double> displacement;  ///< [m], at even steps; empty if the component was at rest before the record
+  bool continues = false;            ///< true if the motion begins where the preceding record ended, without a rest
 };
 
-/// One log, evenly sampled. All vectors that are not empty have the same length.
+/// One log at even time steps. All vectors that are not empty have the same length.
 struct Record {
   std::string name;
   double dt = 0.0;                   ///< [s]
-  Eigen::VectorXd displacement;      ///< [m], smoothed if the sensor's noise requires it
+  Eigen::VectorXd displacement;      ///< [m], smoothed if the noise of the sensor requires that
   Eigen::VectorXd raw_displacement;  ///< [m], as recorded
-  Eigen::VectorXd force;             ///< measured [N]
-  Eigen::VectorXd temperature;       ///< [degC]; empty if the log has none
-  Eigen::VectorXd across;            ///< displacement perpendicular to this one, on the same radius [m]; likewise
+  Eigen::VectorXd force;             ///< measured force [N]
+  Eigen::VectorXd temperature;       ///< temperature [degC]; empty if the log has no temperature
+  Eigen::VectorXd across;            ///< displacement in the perpendicular radial direction [m]; empty if unknown
   double force_deviation = 0.0;      ///< standard deviation of the measured force [N]
-  double displacement_noise = 0.0;   ///< standard deviation of the sensor's white noise, estimated [m]
-  double passed_frequency = 0.0;     ///< above this the displacement was smoothed [Hz]; 0 if it is as recorded
-  double highest_frequency = 0.0;    ///< above this the displacement is noise [Hz]
-  double lowest_frequency = 0.0;     ///< 2 % of the displacement's power lies below this [Hz]
-  double mean_frequency = 0.0;       ///< RMS speed over RMS displacement about its mean, over 2 pi [Hz]
+  double displacement_noise = 0.0;   ///< estimated standard deviation of the white noise of the displacement sensor [m]
+  double passed_frequency = 0.0;     ///< limit of the displacement's low-pass filter [Hz]; 0 if it was not filtered
+  double highest_frequency = 0.0;    ///< the displacement above this frequency is only noise [Hz]
+  double lowest_frequency = 0.0;     ///< 2 % of the displacement's power lies below this frequency [Hz]
+  double mean_frequency = 0.0;       ///< RMS speed, divided by 2 pi and the displacement's standard deviation [Hz]
   UnitsAre units = UnitsAre::named;  ///< of displacement and force
-  std::vector<std::string> notes;    ///< on time base, saturation and smoothing
+  std::vector<std::string> notes;    ///< on the time base, saturation and smoothing
   LeadIn lead_in;
-  /// 1 for samples that count in residuals, 0 for those that a channel did not measure; empty: all count.
+  /// 1 for samples whose residual is evaluated, 0 for samples without a measured force. Empty: 1 for all samples.
   Eigen::VectorXd counts;
 
   Eigen::Index size() const { return displacement.size(); }
   double duration() const { return dt * static_cast<double>(size()); }
 
-  /// Returns the number of samples in [first, first + count) that count.
+  /// Returns how many of the samples [first, first + count) have a residual that is evaluated.
   double counted(Eigen::Index first, Eigen::Index count) const;
   double counted() const { return counted(0, size()); }
 };
 
-/// Checks a log and prepares it for diagnosis; `lead_in`: the motion before it. An uneven time base is resampled with a
-/// note: at its median step, or at a longer one if there would be more than 20,000 samples and than twice those of the
-/// log. Throws LogError if the log has no force, has fewer than 100 samples, does not move, or has a time gap: a step
-/// longer than half a second and than 20 times the 90th percentile of the steps.
+/// Checks a log and prepares it for diagnosis. `lead_in` is the motion before the log. An uneven time base is
+/// resampled, with a note, at the median step of the log. The step is longer if the record would otherwise have more
+/// than 20,000 samples and more than twice as many as the log. Throws LogError if the log has no force, has fewer than
+/// 100 samples, does not move, or has a time gap, which is a step longer than both 0.5 s and 20 times the 90th
+/// percentile.
 Record makeRecord(const Log& log, LeadIn lead_in = {});
 
-/// Throws LogError if a log has no measured force.
+/// Throws LogError if the log has no measured force.
 void requireForce(const Log& log);
 
-/// Resamples a log to even time steps, with the displacement as recorded and without noise and frequencies. Throws
-/// LogError as makeRecord() does.
+/// Resamples a log to even time steps without smoothing. Noise and frequencies remain 0. Throws as makeRecord() does.
 Record evenRecord(const Log& log, LeadIn lead_in = {});
 
-/// Returns the same record, also for channels that do not change.
+/// Returns the result of evenRecord(), but also accepts a log in which displacement or force does not change.
 Record rawRecord(const Log& log, LeadIn lead_in = {});
 
-/// Returns true if both channels change by more than rounding.
+/// Returns true if displacement and force both change by more than rounding errors.
 bool bothChange(const Record& record);
 
-/// Returns the displacement with additional noise of its sensor's standard deviation [m], the same for the same draw.
+/// Returns the displacement [m] plus random noise with the standard deviation of the sensor's noise. Each value of
+/// `draw` selects one sequence of random numbers.
 Eigen::VectorXd withNoiseDrawn(const Record& record, unsigned draw);
 
-/// Returns the one-sided power spectral density [unit^2/Hz] by Welch's method with Hann windows of `segment` samples,
-/// half overlapped; entry i belongs to the frequency i/(segment dt).
+/// Returns the one-sided power spectral density [unit^2/Hz] by Welch's method, with Hann windows of `segment` samples
+/// that overlap by half. Entry i belongs to the frequency i/(segment dt).
 Eigen::VectorXd powerSpectralDensity(const Eigen::VectorXd& signal, double dt, Eigen::Index segment);
 
-/// Returns the standard deviation of white noise that has the median of the spectrum above a frequency [Hz]; 0 if fewer
-/// than 8 spectral lines lie above it.
+/// Estimates white noise from the spectrum above `frequency` [Hz]. Returns the standard deviation of the white noise
+/// whose density has the same median; 0 if fewer than 8 spectral lines lie above the frequency.
 double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequency);
 
 }  // namespace rubber_suspension::log
