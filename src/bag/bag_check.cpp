@@ -1,4 +1,4 @@
-// Checks the structure of a bag before it is read.
+// Checks the structure of a bag before rosbag reads it.
 #include "bag/bag_check.h"
 
 #include <fmt/format.h>
@@ -20,9 +20,9 @@ namespace {
 
 constexpr const char* kVersion = "#ROSBAG V2.0\n";
 constexpr std::uint32_t kLongestHeader = 1024 * 1024;
-constexpr std::uint32_t kLargestChunk = 64 * 1024 * 1024;  // uncompressed; rosbag writes less than 1 MiB by default
-constexpr std::size_t kIndexEntry = 12;                    // time in two words, offset
-constexpr std::size_t kChunkInfoEntry = 8;                 // connection, number of messages
+constexpr std::uint32_t kLargestChunk = 64 * 1024 * 1024;  // uncompressed; by default rosbag writes less than 1 MiB
+constexpr std::size_t kIndexEntry = 12;                    // bytes: a time of two words, and an offset
+constexpr std::size_t kChunkInfoEntry = 8;                 // bytes: a connection, and its number of messages
 
 enum Operation : std::uint8_t {
   kMessage = 2,
@@ -36,7 +36,7 @@ enum Operation : std::uint8_t {
 using Fields = std::map<std::string, std::string>;
 
 template <class Number>
-Number numberAt(const char* bytes) {  // little endian, as on every machine that ROS runs on
+Number numberAt(const char* bytes) {  // little-endian, as all processors that ROS supports
   Number number;
   std::memcpy(&number, bytes, sizeof(number));
   return number;
@@ -94,7 +94,7 @@ class BagChecker {
 
   std::uint32_t takeNumber() { return numberAt<std::uint32_t>(take(4).data()); }
 
-  // A header is a sequence of name=value, each preceded by its length.
+  // A header is a sequence of texts name=value, each preceded by its length.
   Fields fieldsOf(const std::string& header) const {
     Fields fields;
     for (std::size_t at = 0; at < header.size();) {
@@ -143,7 +143,7 @@ class BagChecker {
         checkIndex(fields, data);
         break;
       case kConnection:
-        fieldsOf(data);  // the header of the connection itself
+        fieldsOf(data);  // checks the header within the data as well
         connections_.insert(field<std::uint32_t>(fields, "conn"));
         break;
       case kChunkInfo:
@@ -188,7 +188,7 @@ class BagChecker {
     }
   }
 
-  // Returns the content of a chunk, of chunk_size_ bytes.
+  // Returns the uncompressed content of a chunk, which must have chunk_size_ bytes.
   std::string decompress(const Fields& fields, const std::string& data) const {
     const auto compression = fields.find("compression");
     const std::string kind = compression == fields.end() ? "" : compression->second;
@@ -220,7 +220,7 @@ class BagChecker {
     return content;
   }
 
-  // Returns the bytes that follow a length at `at`, and moves `at` behind them.
+  // Reads a length at `at`. Returns the bytes after it and advances `at` past them.
   std::string takePart(const std::string& data, std::size_t& at) const {
     const std::size_t left = data.size() - at;
     const std::uint32_t length = left < 4 ? 0 : numberAt<std::uint32_t>(&data[at]);
@@ -260,13 +260,13 @@ class BagChecker {
   std::ifstream file_;
   std::uint64_t size_ = 0;
   std::uint64_t position_ = 0;
-  std::uint64_t index_ = 0;          // where the bag states that its index begins
-  std::set<std::uint64_t> records_;  // where records begin
+  std::uint64_t index_ = 0;          // position of the index according to the header of the bag
+  std::set<std::uint64_t> records_;  // positions at which records begin
   std::set<std::uint64_t> chunks_;
   std::set<std::uint32_t> connections_;
   std::set<std::uint32_t> used_connections_;
-  std::uint32_t chunk_size_ = 0;      // of the last chunk, uncompressed
-  std::set<std::uint32_t> messages_;  // where its messages begin
+  std::uint32_t chunk_size_ = 0;      // uncompressed size of the last chunk
+  std::set<std::uint32_t> messages_;  // positions in the last chunk at which messages begin
 };
 
 }  // namespace

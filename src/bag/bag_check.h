@@ -1,12 +1,12 @@
-// Checks the structure of a bag before it is read: rosbag's own reader trusts the index and crashes on a damaged one.
+// Checks the structure of a bag before rosbag reads it, because rosbag crashes on a damaged index.
 #pragma once
 
 #include <string>
 
 namespace rubber_suspension::bag {
 
-/// Throws LogError where records do not fit into the file or their chunk, a header is damaged, an index entry points at
-/// no message of its chunk, a connection is missing, the bag is encrypted, or it has no index.
+/// Throws LogError if a record does not fit into the file or its chunk, a header is damaged, an index entry does not
+/// point to a message of its chunk, the record of a connection is missing, or the bag is encrypted or has no index.
 /// Source of the format: http://wiki.ros.org/Bags/Format/2.0
 void checkBagStructure(const std::string& path);
 

@@ -1,4 +1,4 @@
-// Reading logs from ROS bags.
+// Reads logs from ROS bags.
 #include "bag/bag_log.h"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& 
   std::set<std::string> topics;
   rosbag::View view(bag);
   for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    // A leading slash makes "name/displacement" end in "/name/displacement" too.
+    // The slash in front lets a topic without one, "name/displacement", match "/name/displacement".
     if (log::endsWith("/" + connection->topic, end)) {
       topics.insert(connection->topic);
     }
@@ -49,7 +49,7 @@ std::set<std::string> topicsEndingIn(const rosbag::Bag& bag, const std::string& 
   return topics;
 }
 
-// Returns the only topic that ends as wanted, of the component if that is named.
+// Returns the only topic that ends in `wanted`, of the component if one is named. Throws if there is not exactly one.
 std::string topicOf(const std::string& wanted, const rosbag::Bag& bag, const std::string& path,
                     const std::string& component) {
   const std::string end = component.empty() ? wanted : "/" + component + wanted;
@@ -77,13 +77,13 @@ double valueOf(const Displacement& message) { return message.displacement; }
 double valueOf(const MeasuredForce& message) { return message.force; }
 double valueOf(const sensor_msgs::Temperature& message) { return message.temperature; }
 
-// Times of a message [ns].
+// The times of a message [ns].
 struct Times {
   std::int64_t stamp;
   std::int64_t receipt;
 };
 
-// Passes the messages of a topic to `take` with their times.
+// Calls `take` with the times and the content of each message on a topic.
 template <class Message, class Take>
 void readMessages(const rosbag::Bag& bag, const std::string& path, const std::string& topic, Take take) {
   rosbag::View view(bag, rosbag::TopicQuery(topic));
@@ -125,15 +125,15 @@ void checkIncreasing(const Series& series, const std::string& path, const std::s
   }
 }
 
-// A series of a topic or of a field of it; empty if the bag has none.
+// The values of one quantity, from a topic or one of its fields; empty if the bag does not contain the quantity.
 struct Channel {
   log::Quantity quantity;
   Series series;
   std::string topic;
-  std::string unit;  // empty: that of the format, or SI
+  std::string unit;  // empty: the unit of the format, or else SI
 };
 
-// Suggests the options that read messages with unusable stamps, among those that would accept these messages.
+// Suggests options for messages whose stamps are unusable. Only options that accept these messages are suggested.
 std::string cureOf(const Series& series, bool may_have_rate) {
   std::vector<std::int64_t> steps;
   for (std::size_t i = 1; i < series.receipt.size(); ++i) {
@@ -163,9 +163,9 @@ void keepOnly(Series& series, const std::vector<std::size_t>& places) {
   series = std::move(kept);
 }
 
-// Sorts messages by their stamps, and removes those with the stamp 0 among others.
+// Sorts the messages by their stamps. Messages with the stamp 0 are omitted, except the first one.
 void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate, std::vector<std::string>& notes) {
-  constexpr std::int64_t kReplay = 1000000000;  // [ns]; a larger step back is a new replay, as in the node
+  constexpr std::int64_t kReplay = 1000000000;  // [ns]; a larger step back begins a new replay, as in the node
   Series& series = channel.series;
   const std::size_t all = series.stamp.size();
   if (all > 1 && std::all_of(series.stamp.begin(), series.stamp.end(), [](std::int64_t stamp) { return stamp == 0; })) {
@@ -204,7 +204,7 @@ void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate
   checkIncreasing(series, path, channel.topic, cureOf(series, may_have_rate));
 }
 
-// Replaces or sorts the stamps as the format requests.
+// Replaces the stamps if the format requests that. Sorts the messages by their stamps unless a rate replaces them.
 void setStamps(std::vector<Channel>& channels, const std::string& path, const log::LogFormat& format,
                std::vector<std::string>& notes) {
   const Channel& displacement = channels[0];
@@ -233,8 +233,8 @@ void setStamps(std::vector<Channel>& channels, const std::string& path, const lo
   }
 }
 
-// Returns the temperature at each of these stamps. As in the node, it holds from its stamp to the next one, and one
-// that is not finite is dropped.
+// Returns the temperature at each of the stamps. As in the node, a temperature holds from its stamp to the stamp of the
+// next one, and temperatures that are not finite are ignored.
 Series heldAt(const std::vector<std::int64_t>& stamps, const Channel& measured, std::vector<std::string>& notes) {
   std::vector<std::size_t> finite;
   for (std::size_t i = 0; i < measured.series.value.size(); ++i) {
@@ -264,8 +264,8 @@ std::vector<Number> part(const std::vector<Value>& values, std::size_t first, st
   return {begin, begin + static_cast<std::ptrdiff_t>(count)};
 }
 
-// Reads the channels as columns of a table, so that units, clocks and gaps are treated as in any other file. A channel
-// with stamps is a group with its own time; one without belongs to the group of the displacement.
+// Reads the channels like the columns of a table, so that units, clocks and gaps are treated as in any other file. A
+// channel with stamps is a group with its own time; other channels join the displacement's group.
 log::Log logOf(const std::string& path, std::vector<Channel> channels, log::LogFormat format) {
   std::vector<std::string> notes;
   for (const double value : channels[0].series.value) {
@@ -293,7 +293,7 @@ log::Log logOf(const std::string& path, std::vector<Channel> channels, log::LogF
     series.resize(table.names.size(), &channel.series);
   }
   format.of[static_cast<std::size_t>(log::Quantity::time)].column = format.rate ? "" : channels[0].topic + ".stamp";
-  format.bridge = std::numeric_limits<double>::infinity();  // the stamps show every gap
+  format.bridge = std::numeric_limits<double>::infinity();  // gaps are visible in the stamps
   table.file = {[&](std::size_t place, const std::string&) { return series[place]->value.size(); },
                 [&](std::size_t place, const std::string&, std::size_t first, std::size_t count) {
                   return part<double>(series[place]->value, first, count);
@@ -337,7 +337,7 @@ void append(SixSeries& series, const Times& times, const std::array<double, comp
   }
 }
 
-// Coordinates of poses, and their unchanged quaternions.
+// The coordinates of poses, and the quaternions as the bag contains them.
 struct PoseSeries {
   SixSeries coordinate;
   std::vector<log::PoseLog::Quaternion> quaternion;
@@ -374,7 +374,7 @@ SixSeries readWrenchTopic(const rosbag::Bag& bag, const std::string& path, const
   return wrench;
 }
 
-// Matches each direction by its stamps as a log of its own; all have forces at the same samples.
+// Reads each direction like a log of its own. All directions have measured forces at the same samples.
 log::PoseLog readOpenPoses(const rosbag::Bag& bag, const std::string& path, const std::string& component,
                            component::RotationMeasure measure) {
   const std::string topic = topicOf(kPose, bag, path, component);
@@ -423,7 +423,7 @@ bool namesColumns(const log::LogFormat& format) {
   return std::any_of(format.of.begin(), format.of.end(), [](const auto& channel) { return !channel.column.empty(); });
 }
 
-// Returns the result of `read` for the bag.
+// Returns the result of `read` for the bag. Adds the path to errors.
 template <class Read>
 auto ofBag(const std::string& path, Read read) {
   try {
@@ -433,7 +433,7 @@ auto ofBag(const std::string& path, Read read) {
     return read(bag);
   } catch (const log::LogError&) {
     throw;
-  } catch (const std::exception& error) {  // rosbag throws many types on a damaged file
+  } catch (const std::exception& error) {  // rosbag throws many types of exceptions for damaged files
     throw log::LogError(fmt::format("{}: no readable bag: {}", path, error.what()));
   }
 }

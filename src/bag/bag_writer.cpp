@@ -1,4 +1,4 @@
-// A bag of the node's topics, written sample by sample.
+// Writes the node's topics to a bag, sample by sample.
 #include "bag/bag_writer.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 namespace rubber_suspension::bag {
 namespace {
 
-// rosbag reports the place of a failure, errno its reason.
+// The exception of rosbag names the failing operation; errno may state the reason, such as a full disk.
 [[noreturn]] void failToWrite(const std::string& path, const rosbag::BagException& error) {
   const std::string why = errno == ENOSPC || errno == EDQUOT || errno == EFBIG ? std::strerror(errno) : error.what();
   throw log::LogError(fmt::format("{}: cannot be written: {}", path, why));
@@ -38,13 +38,13 @@ BagWriter::BagWriter(const std::string& path, const std::string& component)
 
 BagWriter::~BagWriter() {
   try {
-    bag_->close();  // without close(), errors do not matter: the file is removed
+    bag_->close();  // errors do not matter, because the file is removed
   } catch (const std::exception&) {
     abandon();
   }
 }
 
-// Leaks the bag, because on a full disk its destructor would close it again, and throw.
+// Leaks the bag. On a full disk, its destructor would try to close it again and throw.
 void BagWriter::abandon() { static_cast<void>(bag_.release()); }
 
 template <class Message>

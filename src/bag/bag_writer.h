@@ -1,4 +1,4 @@
-// A bag of the node's topics, written sample by sample.
+// Writes the node's topics to a bag, sample by sample.
 #pragma once
 
 #include <rosbag/bag.h>
@@ -13,8 +13,8 @@
 
 namespace rubber_suspension::bag {
 
-/// Writes a component's samples to a bag, each at the time of its own stamp. The bag is written under a temporary name
-/// and renamed by close(); without close() it is removed. All calls throw LogError.
+/// Writes the samples of a component to a bag, each at the time of its stamp. The bag has a temporary name until
+/// close() renames it. Without close(), the bag is removed. All functions throw LogError.
 class BagWriter {
  public:
   BagWriter(const std::string& path, const std::string& component);

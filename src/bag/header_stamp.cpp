@@ -1,4 +1,4 @@
-// Conversion of the stamps of logs to those of ROS headers.
+// Converts the stamps of logs to stamps of ROS headers.
 #include "bag/header_stamp.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Conversion of the stamps of logs to those of ROS headers.
+// Converts the stamps of logs to stamps of ROS headers.
 #pragma once
 
 #include <ros/time.h>
@@ -9,10 +9,10 @@
 
 namespace rubber_suspension::bag {
 
-/// Returns the time [ns] that shifts a log's stamps into those of a ROS header (0 to 2^32 s); 0 if none is needed.
+/// Returns the time [ns] by which to shift the stamps of a log into the range of ROS headers (0 to 2^32 s), or 0.
 std::int64_t headerShift(const log::Log& log);
 
-/// Returns a stamp [ns] as ROS time. Throws LogError if a header cannot hold it.
+/// Converts a stamp [ns] to ROS time. Throws LogError if it does not fit into a header.
 ros::Time toRosTime(std::int64_t stamp);
 
 }  // namespace rubber_suspension::bag

@@ -1,5 +1,4 @@
-// Reads one number of every message on a topic. Layout of messages: wiki.ros.org/ROS/Technical%20Overview and
-// wiki.ros.org/msg, version 1.
+// Reads one number from every message on a topic. Layout: wiki.ros.org/ROS/Technical%20Overview and wiki.ros.org/msg.
 #include "bag/message_field.h"
 
 #include <fmt/format.h>
@@ -37,7 +36,7 @@ std::size_t builtinSize(const std::string& type) {
   return found == sizes.end() ? 0 : found->second;
 }
 
-// The types in a bag's definition of a message; that of the message itself is "".
+// The types in the definition of a message that the bag contains. The type of the message itself has the key "".
 class Definition {
  public:
   explicit Definition(const std::string& text) {
@@ -60,7 +59,7 @@ class Definition {
   const MessageType& root() const { return types_.at(""); }
   std::size_t types() const { return types_.size(); }
 
-  /// Returns nullptr for a builtin type. The name of the package may be missing.
+  /// Returns the fields of a type; nullptr for a builtin type. `type` may be given without the name of its package.
   const MessageType* find(const std::string& type) const {
     for (const auto& [name, fields] : types_) {
       if (!name.empty() && (name == type || name.substr(name.find('/') + 1) == type)) {
@@ -85,10 +84,10 @@ class Definition {
   std::map<std::string, MessageType> types_;
 };
 
-// One step of the path to a number: a field, or an element of it.
+// One step of the path to a number: a field, or an element of an array field.
 struct PathStep {
   std::string name;
-  std::string element;  // number from 0, or a name; empty: no array
+  std::string element;  // index from 0, or a name; empty if the field is no array
 };
 
 std::vector<PathStep> stepsOf(const std::string& text) {
@@ -108,13 +107,12 @@ std::vector<PathStep> stepsOf(const std::string& text) {
   return steps;
 }
 
-// Reads the bytes of one message by its definition.
+// Reads the bytes of a message according to its definition.
 class MessageWalk {
  public:
   MessageWalk(const Definition& definition, const std::vector<std::uint8_t>& bytes)
       : definition_(definition), bytes_(bytes) {}
 
-  /// Returns nullopt if there is no number at this path.
   std::optional<double> number(const std::vector<PathStep>& steps) {
     at_ = 0;
     depth_ = 0;
@@ -122,7 +120,7 @@ class MessageWalk {
   }
 
   std::int64_t headerStamp() {
-    at_ = 4;  // behind the sequence number
+    at_ = 4;  // position after the sequence number
     const auto seconds = take<std::uint32_t>();
     return std::int64_t{1000000000} * seconds + take<std::uint32_t>();
   }
@@ -186,7 +184,7 @@ class MessageWalk {
       const std::size_t begin = at_;
       skipOne(field.type, texts);
       if (at_ == begin) {
-        return;  // nor do the other elements take any bytes
+        return;  // the other elements do not occupy any bytes either
       }
     }
   }
@@ -242,15 +240,15 @@ class MessageWalk {
   const std::vector<std::uint8_t>& bytes_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;
-  std::set<std::string> without_bytes_;  // types of messages without fields
-  std::vector<std::string> names_;       // entries of the field `name` of a message such as JointState
+  std::set<std::string> without_bytes_;  // message types that occupy no bytes
+  std::vector<std::string> names_;       // entries of the field `name`, as in JointState
 };
 
 bool hasField(const MessageType& type, const std::string& name) {
   return std::any_of(type.begin(), type.end(), [&](const MessageField& field) { return field.name == name; });
 }
 
-// Adds the first field if it was omitted.
+// Inserts the first field into a path that omits it. An empty path becomes the field `data`.
 std::vector<PathStep> completed(std::vector<PathStep> steps, const Definition& definition) {
   if (steps.empty()) {
     steps = {{"data", ""}};
@@ -277,7 +275,7 @@ std::vector<PathStep> completed(std::vector<PathStep> steps, const Definition& d
   return steps;
 }
 
-// Returns the topic of a field: the longest one with which the text begins.
+// Returns the longest topic with which the text of a field begins.
 std::string topicOf(const rosbag::Bag& bag, const std::string& field) {
   std::set<std::string> topics;
   std::string best;
