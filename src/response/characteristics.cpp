@@ -1,4 +1,4 @@
-// Stiffness and loss angle of an elliptic loop.
+// Computes stiffness and loss angle of an elliptic loop.
 #include "rubber_suspension/response/characteristics.h"
 
 #include <cmath>

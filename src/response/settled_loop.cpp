@@ -1,4 +1,4 @@
-// Settled loops: closed form where there is one, simulation until the cycle repeats where there is none.
+// Computes settled loops: in closed form where there is one, otherwise by simulation until the cycle repeats.
 #include "rubber_suspension/response/settled_loop.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace rubber_suspension::response {
 namespace {
 
-// Largest value less the smallest.
+// Returns the largest minus the smallest value.
 double extent(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return *high - *low;
@@ -40,7 +40,7 @@ void checkArguments(double frequency, double amplitude, const LoopOptions& optio
   }
 }
 
-// Returns the displacement of every sample of a cycle; the turning points are exact.
+// Returns the displacement at each sample of a cycle, exact at turning points and zero crossings.
 std::vector<double> sineDisplacement(double amplitude, double mean, int samples) {
   std::vector<double> displacement(samples);
   for (int i = 0; i < samples; ++i) {
@@ -60,7 +60,7 @@ double largestChange(const std::vector<double>& before, const std::vector<double
   return change;
 }
 
-// Runs cycles until they repeat. `run_cycle` writes the forces of the next cycle.
+// Calls `run_cycle`, which writes the forces of the next cycle, until the cycle repeats.
 void settle(SettledLoop& loop, const LoopOptions& options, const std::function<void(std::vector<double>&)>& run_cycle) {
   std::vector<double> before(loop.force.size());
   double change_before = 0.0;
@@ -69,10 +69,10 @@ void settle(SettledLoop& loop, const LoopOptions& options, const std::function<v
     run_cycle(loop.force);
     ++loop.cycles;
     const double change = largestChange(before, loop.force);
-    // Sum of the geometric series that the last two changes begin; infinite while they do not fall.
+    // Sum of all further changes if they continue the geometric series of the last two; infinite if these did not fall.
     const double rate = change_before > 0.0 ? change / change_before : 1.0;
     const double to_come = change == 0.0 ? 0.0 : rate < 1.0 ? change / (1.0 - rate) : HUGE_VAL;
-    // Changes at the rounding of the forces themselves follow no series.
+    // Changes of the size of rounding errors do not follow a geometric series.
     const double range = extent(loop.force);
     const bool rounding = change <= 1e-14 * range;
     loop.remaining = range > 0.0 ? (rounding ? change : to_come) / range : change;
@@ -86,7 +86,7 @@ void settle(SettledLoop& loop, const LoopOptions& options, const std::function<v
   loop.force.swap(before);
 }
 
-// Returns the laws of a component of parallel laws only; empty if it has anything else.
+// Returns the laws of a component if all of them act in parallel; otherwise an empty vector.
 std::vector<ParallelPointer> parallelLaws(const component::Component& component) {
   std::vector<ParallelPointer> laws;
   for (const element::ElementDescription& description : component.elements()) {
@@ -99,7 +99,7 @@ std::vector<ParallelPointer> parallelLaws(const component::Component& component)
   return laws;
 }
 
-// One nonlinear law with its memory at the lower turning point.
+// A nonlinear law and its internal state, which starts at the lower turning point.
 struct RunningLaw {
   ParallelPointer law;
   std::vector<double> memory;
@@ -114,7 +114,7 @@ struct RunningLaw {
   }
 };
 
-// Adds the force of the linear laws to the loop.
+// Adds the force of the linear laws, whose loop is an ellipse.
 void addEllipse(SettledLoop& loop, std::complex<double> stiffness, double mean) {
   const int samples = static_cast<int>(loop.force.size());
   for (int i = 0; i < samples; ++i) {
@@ -169,10 +169,10 @@ void simulateWhole(SettledLoop& loop, const component::Component& component, con
   });
 }
 
-// Returns the extreme of the parabola through values at 0, 1 and 2 steps, if it lies between `from` and `to` steps.
+// Returns the extreme of the parabola through values at the steps 0, 1 and 2, if it lies from step `from` to step `to`.
 std::optional<double> vertex(double first, double second, double third, double from, double to) {
   const double curvature = first - 2.0 * second + third;
-  const double slope = 0.5 * (third - first);  // at the second value
+  const double slope = 0.5 * (third - first);  // slope at the second value
   if (curvature == 0.0) {
     return std::nullopt;
   }
@@ -181,11 +181,11 @@ std::optional<double> vertex(double first, double second, double third, double f
                                             : std::nullopt;
 }
 
-// Returns the extreme of a loop near its extreme sample, by a parabola. The force has a corner at a turning point, so
-// the parabola there uses samples of one side only, on which it has its extreme.
+// Returns the extreme of the force near its extreme sample `at` by fitting a parabola. The force has a corner at a
+// turning point. There the parabola uses only the samples on the side on which it has its extreme.
 double peak(const std::vector<double>& force, std::size_t at) {
   const std::size_t size = force.size();
-  const auto value = [&](std::size_t offset) { return force[(at + size + offset - 2) % size]; };  // 2 is `at`
+  const auto value = [&](std::size_t offset) { return force[(at + size + offset - 2) % size]; };  // offset 2 is `at`
   if (at % (size / 2) != 0) {
     return vertex(value(1), value(2), value(3), 0.0, 2.0).value_or(force[at]);
   }
@@ -206,13 +206,13 @@ Characteristics SettledLoop::characteristics() const {
     loss += part;
     all += std::abs(part);
   }
-  // A loss within the rounding of the sum is 0.
+  // A loss below the rounding error of the sum is set to 0.
   const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(force.size()) * all;
   loss = std::abs(loss) > rounding ? loss : 0.0;
   if (range == 0.0) {
-    return {};  // nothing resists, as within free play
+    return {};  // no force arises, as within free play
   }
-  // Coulomb friction fills its bounding box, so that the sine exceeds 1: the loss angle is at most 90 degrees.
+  // For Coulomb friction, whose loop is a rectangle, the sine exceeds 1. The loss angle is limited to 90 degrees.
   const double sine = std::clamp(loss / (0.5 * element::kPi * range * amplitude), -1.0, 1.0);
   return {0.5 * range / amplitude, std::asin(sine), loss};
 }

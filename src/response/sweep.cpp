@@ -1,4 +1,4 @@
-// Sweeps over frequency and amplitude.
+// Computes stiffness and loss angle at many frequencies and amplitudes.
 #include "rubber_suspension/response/sweep.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Stiffness and loss angle over frequency and amplitude. All but logSpaced() throw as simulateSettledLoop() does.
+// Stiffness and loss angle at many points. All functions except logSpaced() throw as simulateSettledLoop() does.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@ struct SweepPoint {
   double frequency = 0.0;  ///< [Hz]
   double amplitude = 0.0;  ///< [m]
   Characteristics characteristics;
-  bool settled = true;  ///< false if the simulated loop did not repeat within the cycles allowed
+  bool settled = true;  ///< false if the simulated loop did not repeat within the maximum number of cycles
 };
 
-/// Returns the characteristics at a frequency [Hz] and an amplitude [m]: in closed form for a linear component, else of
-/// a settled simulated loop.
+/// Returns the characteristics at a frequency [Hz] and an amplitude [m]. Those of a linear component have a closed
+/// form; for others a loop is simulated until it settles.
 SweepPoint characteristicsAt(const component::Component& component, double frequency, double amplitude,
                              const LoopOptions& options = {});
 
@@ -25,12 +25,12 @@ std::vector<SweepPoint> sweepFrequency(const component::Component& component, co
 std::vector<SweepPoint> sweepAmplitude(const component::Component& component, const std::vector<double>& amplitudes,
                                        double frequency, const LoopOptions& options = {});
 
-/// The amplitudes are A = P/f with the product P [m Hz], roughly as those of a track excitation (Polach Eq. 3).
+/// The amplitudes are A = P/f with a given product P [m Hz], as is roughly true of track excitation (Polach Eq. 3).
 std::vector<SweepPoint> sweepConstantProduct(const component::Component& component,
                                              const std::vector<double>& frequencies, double product,
                                              const LoopOptions& options = {});
 
-/// Returns `count` numbers from `low` to `high`, evenly spaced on a log axis, both ends exact.
+/// Returns `count` numbers, evenly spaced on a logarithmic axis, from exactly `low` to exactly `high`.
 std::vector<double> logSpaced(double low, double high, int count);
 
 }  // namespace rubber_suspension::response
