@@ -1,4 +1,4 @@
-// The blocks of a bushing property file.
+// Writes bushing property files.
 #include "command/bushing_file.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 
 const std::array<const char*, 6> kNames = {"FX", "FY", "FZ", "TX", "TY", "TZ"};
 
-// One direction that is not free, with the data of the file in the units of the file.
+// A direction in which the component has forces, with its data in the units of the file.
 struct Direction {
   component::Direction direction;
   const component::Component& component;
@@ -29,12 +29,12 @@ struct Direction {
   std::vector<double> position{};   // [mm, deg]
   std::vector<double> force{};      // [N, N mm]
   double damping = 0.0;             // [N s/mm, N mm s/deg]
-  std::complex<double> measured{};  // K* of the component [N/m, N m/rad]
+  std::complex<double> measured{};  // K* of the component under the sine [N/m, N m/rad]
   bool settled = true;
 
   bool turns() const { return component::isRotation(direction); }
   std::string name() const { return kNames[direction]; }
-  double lengths() const { return turns() ? kDegrees : 1e3; }  // units of the file per SI unit
+  double lengths() const { return turns() ? kDegrees : 1e3; }  // units of length or angle of the file per SI unit
   double forces() const { return turns() ? 1e3 : 1.0; }
 };
 
@@ -51,7 +51,7 @@ void checkOptions(const Direction& direction, const BushingFileOptions& options)
       component::toString(direction.direction), extent.largest, unit, options.points);
 }
 
-// Returns the force of a new component at rest at this displacement [N, N m].
+// Returns the force [N, N m] of a new component that rests at this displacement.
 double forceAtRest(const component::Component& component, double displacement) {
   component::ComponentState state = component.makeState();
   return component.initialise(state, displacement).total;
@@ -125,7 +125,7 @@ std::string adamsBlocks(const std::vector<Direction>& directions) {
   return text;
 }
 
-// Returns the stiffness [N/mm, N mm/deg] of a curve that is a straight line through 0 to the digits of the file.
+// Returns the stiffness [N/mm, N mm/deg] if the curve is a line through 0 up to rounding; otherwise nullopt.
 std::optional<double> straight(const Direction& direction) {
   const double stiffness = direction.force.back() / direction.position.back();
   for (std::size_t i = 0; i < direction.force.size(); ++i) {
@@ -136,7 +136,7 @@ std::optional<double> straight(const Direction& direction) {
   return stiffness;
 }
 
-// The format has one coupling for forces and moments, which for a cylinder is about the z axis.
+// Returns the coupling for the file. The format has a single one for forces and moments, cylindrical about z only.
 std::string couplingWord(const Bushing& bushing) {
   if (bushing.translation == component::Coupling::cylindrical && bushing.axis == 2) {
     return "cylindrical";
@@ -177,7 +177,7 @@ std::string lossOf(const std::string& type) {
                               : type + ": the file contains only its force at rest and its loss under this one sine";
 }
 
-// Compares the component under the sine with the file, which is a spring with the curve and a dashpot.
+// Returns a note that compares the component under the sine with the static curve and the dashpot of the file.
 std::string comparison(const Direction& direction, const BushingFileOptions& options) {
   const double amplitude = direction.extent.amplitude;
   const double difference = forceAtRest(direction.component, amplitude) - forceAtRest(direction.component, -amplitude);

@@ -1,4 +1,4 @@
-// The table of a component, and notes on what it cannot show.
+// Computes the table of a component, and notes on what the table cannot show.
 #include "command/characteristic_table.h"
 
 #include <fmt/format.h>
@@ -15,12 +15,12 @@
 namespace rubber_suspension::command {
 namespace {
 
-constexpr double kWidest = 1.0;  // [m]; no component of a suspension moves so far
+constexpr double kWidest = 1.0;  // [m]; more than the travel of any suspension component
 
 std::vector<std::string> notesOnTable(const component::Component& component) {
   const char* const kPath =
       "friction depends on the path: the table does not determine its force under two sines at once";
-  // Limitations of settled loops under sines, by law.
+  // For each law, what its settled loop under a sine does not show.
   static const std::map<std::string, std::string> losses = {
       {"stress_softening", "the force softens over the first cycles; the table holds the state after them"},
       {"self_heating", "the component heats up over minutes; the table holds the warm state under each sine"},
@@ -47,7 +47,7 @@ std::vector<std::string> notesOnTable(const component::Component& component) {
   return notes;
 }
 
-// First harmonic of the force over the displacement mean - A cos(phase).
+// Returns the first harmonic of the force divided by A, for a displacement with the phase of -A cos(phase).
 std::complex<double> firstHarmonic(const response::SettledLoop& loop) {
   std::complex<double> sum = 0.0;
   const std::size_t samples = loop.force.size();

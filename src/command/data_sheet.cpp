@@ -1,4 +1,4 @@
-// Data sheets in YAML.
+// Reads data sheets in YAML.
 #include "command/data_sheet.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ using io::into;
 using io::Key;
 
 constexpr const char* kNote = "# ";
-constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet is some lines
+constexpr std::size_t kMaximumSize = 64 * 1024;  // bytes; a data sheet has a few lines only
 
 struct Sheet {
   std::string component;
@@ -65,7 +65,7 @@ class SheetReader : public io::ElementReader {
 
   estimation::Model loadModel(const Entry& entry) const {
     std::vector<std::string> names = io::modelNames();
-    names.pop_back();  // a list of elements has no data sheet
+    names.pop_back();  // a data sheet cannot result in a list of elements
     return static_cast<estimation::Model>(loadWord(entry, names, "a model"));
   }
 };

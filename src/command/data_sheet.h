@@ -1,4 +1,4 @@
-// A data sheet as a YAML file, and the component file that follows from it.
+// Converts a data sheet in YAML to a component file.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace rubber_suspension::command {
 
-/// Reads a data sheet and returns the component file that follows from it, with its derivation as comments on top.
+/// Returns the component file that follows from a data sheet. Comments at its top explain the derivation.
 ///
-/// The file is a map `data_sheet:` with `component` (a name), optionally `model`, `load` (compression or shear, needed
-/// with shore_a), and quantities by the names of dataSheetParameters() and specificationParameters(): numbers in SI, or
-/// text with a unit such as "40 mm".
-/// Throws std::invalid_argument or std::runtime_error with file, key, value and what is accepted in one line.
+/// The sheet is a map `data_sheet:` with `component` (a name), optionally `model`, `load` (compression or shear,
+/// required with shore_a), and quantities with the names of dataSheetParameters() and specificationParameters():
+/// numbers in SI units, or text with a unit such as "40 mm". Throws std::invalid_argument or std::runtime_error whose
+/// text is one line with file, key, value and what is accepted.
 std::string componentFileFromDataSheet(const std::string& path);
 
-/// Reads the sheet from text; `source` stands for the file's name in errors.
+/// Does the same for the text of a sheet. Errors name `source` in place of the file.
 std::string componentFileFromDataSheetText(const std::string& text, const std::string& source);
 
 }  // namespace rubber_suspension::command

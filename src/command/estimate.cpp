@@ -1,4 +1,4 @@
-// The report of `estimate`.
+// Computes and formats the report of `estimate`.
 #include "command/estimate.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 
 using element::each;
 
-// SweepOptions with all values set.
+// SweepOptions with a value for each option.
 struct Sweeps {
   std::vector<double> frequencies;
   std::vector<double> amplitudes;
@@ -55,7 +55,7 @@ Sweeps complete(const SweepOptions& options, const estimation::Specification& sp
   return sweeps;
 }
 
-// Warns that friction in a simulation mistakes sensor noise for reversals.
+// Warns that simulated friction would take sensor noise for reversals of the motion.
 void addFrictionNote(EstimateReport& report) {
   if (std::any_of(report.elements.begin(), report.elements.end(), [](const element::ElementDescription& element) {
         return element.type == "friction" && element.value("dead_band") == 0.0;
@@ -66,7 +66,8 @@ void addFrictionNote(EstimateReport& report) {
   }
 }
 
-// A specification without `describes` is that of the base; the note states how the whole component differs from it.
+// A specification without `describes` applies to the base, without the added elements and the static curve. Notes how
+// far the whole component differs from the specification.
 void addWholeNote(EstimateReport& report, const component::Component& component) {
   const io::ComponentDescription& description = report.description;
   const estimation::Specification& specification = description.written();
@@ -81,7 +82,7 @@ void addWholeNote(EstimateReport& report, const component::Component& component)
       response::characteristicsAt(component, *frequency, amplitude,
                                   loopsAbout(estimation::nominalDisplacement(description.specification())))
           .characteristics;
-  constexpr double kSame = 1e-3;  // [-]; a curve without further elements may be almost straight over the loop
+  constexpr double kSame = 1e-3;  // [-]; tolerance for a static curve that is almost straight within the loop
   if (description.add.empty() && std::abs(whole.stiffness / *stiffness - 1.0) < kSame) {
     return;
   }
@@ -101,7 +102,7 @@ bool allSettled(const EstimateReport& report) {
          });
 }
 
-// Returns "name value unit, ...", for a Maxwell element also its damping and relaxation time.
+// Returns the parameters as "name value unit, ...". For a Maxwell element, damping and relaxation time are appended.
 std::string elementText(const element::ElementDescription& element) {
   const element::ElementType* type = element::findElementType(element.type);
   std::string text;
@@ -225,14 +226,14 @@ nlohmann::ordered_json reportJson(const EstimateReport& report) {
   return json;
 }
 
-// A column of the figure; the title states what is constant in it.
+// A column of the figure. Its title states which quantity is constant.
 struct FigureColumn {
   std::string title;
   SweepAxis along;
   const std::vector<response::SweepPoint> EstimateReport::* points;
 };
 
-// Several components also differ in line style, for print and for readers who do not see colours.
+// Returns the line style of a component. Styles distinguish components in print and for readers who do not see colours.
 const char* styleOf(int index, std::size_t count) {
   static constexpr const char* kStyles[] = {"-", "--", "-.", ":"};
   return count > 1 ? kStyles[static_cast<std::size_t>(index) % std::size(kStyles)] : "-";
@@ -247,7 +248,7 @@ io::Curve curveOf(const EstimateReport& report, const FigureColumn& column, Swee
   return curve;
 }
 
-// Draws the effect of changed inputs on the sweep over frequency as a band between two thin lines.
+// Draws a band between two thin lines around the sweep over frequency. It shows the effect of changes of the inputs.
 void addBand(io::Axes& axes, const EstimateReport& report, const FigureColumn& column, SweepQuantity y, int colour) {
   if (!report.sensitivity || column.points != &EstimateReport::over_frequency) {
     return;
@@ -263,7 +264,7 @@ void addBand(io::Axes& axes, const EstimateReport& report, const FigureColumn& c
   axes.curves.back().label = fmt::format("each input changed by {:g} %", 100.0 * report.sensitivity->share);
 }
 
-// Returns "constant amplitude 2 mm", or "constant amplitude of each" if it differs between components.
+// Returns "constant amplitude 2 mm", or "constant amplitude of each" if the components differ in it.
 std::string constantTitle(const std::string& what, const std::string& unit, const std::vector<EstimateReport>& reports,
                           const std::function<double(const EstimateReport&)>& value) {
   for (const EstimateReport& report : reports) {
@@ -274,7 +275,8 @@ std::string constantTitle(const std::string& what, const std::string& unit, cons
   return fmt::format("constant {} {:.4g} {}", what, value(reports.front()), unit);
 }
 
-// Draws the specified values that lie in the range of the axes: markers, and K_st and K_max as horizontal lines.
+// Draws the specified values that lie within the axes: markers for single values, and horizontal lines for the static
+// stiffness K_st and the maximum stiffness K_max.
 class SpecificationMarks {
  public:
   SpecificationMarks(const EstimateReport& report, int colour)
@@ -305,7 +307,7 @@ class SpecificationMarks {
   }
 
  private:
-  // Returns a stiffness [kN/mm], NaN if it is not specified.
+  // Returns a specified stiffness [kN/mm]; NaN if it is not specified.
   double specified(const char* name) const {
     return specification_.valueOr(name, std::numeric_limits<double>::quiet_NaN()) * 1e-6;
   }
@@ -434,7 +436,7 @@ io::Figure toFigure(const std::vector<EstimateReport>& reports, Legends legends)
       for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::size_t first = axes.curves.size();
         SpecificationMarks(reports[i], static_cast<int>(i)).add(axes, column, stiffness);
-        // The legend names each mark once, for all components and columns.
+        // The legend names each kind of mark once.
         const bool once = i == 0 && &column == &columns.front();
         for (std::size_t mark = first; mark < axes.curves.size() && !once; ++mark) {
           axes.curves[mark].label.clear();

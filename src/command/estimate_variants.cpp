@@ -1,4 +1,4 @@
-// Other models and changed inputs of a component.
+// Computes other models and changed inputs of a component.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -27,7 +27,7 @@ struct WantedModel {
 };
 
 WantedModel wantedModel(const std::string& text) {
-  constexpr int kNumbered = 6;  // M1 to M6
+  constexpr int kNumbered = 6;  // the models M1 to M6
   for (int i = 0; i < static_cast<int>(Model::elements); ++i) {
     const auto model = static_cast<Model>(i);
     const std::string number = i < kNumbered ? fmt::format("M{}", i + 1) : "";
@@ -62,7 +62,7 @@ Specification numbersFor(const Specification& from, const WantedModel& wanted) {
     to.erase(key);
   }
   if (from.describes() == estimation::Describes::unsaid) {
-    to.describe(estimation::Describes::base);  // so that every model uses the same working point
+    to.describe(estimation::Describes::base);  // gives every model the same working point
   }
   copyFirst(from, info.required, info.required.size(), to);
   for (const auto& group : info.one_of) {
@@ -93,7 +93,8 @@ bool isRequired(const std::string& key, Model model) {
   return std::find(required.begin(), required.end(), key) != required.end();
 }
 
-// Returns the break frequency of M2 with K_n and the loss angle at f_n. Throws std::invalid_argument if there is none.
+// Returns the break frequency for which model M2 has the specified dynamic stiffness and loss angle at the nominal
+// frequency. Throws std::invalid_argument if there is none.
 double breakFrequencyByLoss(Specification from) {
   for (const char* other : {"break_frequency", "maximum_stiffness", "high_frequency_stiffness", "high_frequency"}) {
     from.erase(other);
@@ -109,7 +110,7 @@ double breakFrequencyByLoss(Specification from) {
       "break_frequency is missing and cannot be taken from model M2; accepted: break_frequency in the specification");
 }
 
-// Splits entries such as "M1,M2".
+// Splits entries such as "M1,M2" at the commas.
 std::vector<std::string> eachOf(const std::vector<std::string>& models) {
   std::vector<std::string> result;
   for (const std::string& text : models) {
@@ -121,8 +122,8 @@ std::vector<std::string> eachOf(const std::vector<std::string>& models) {
   return result;
 }
 
-// Returns the specification with the inputs that another model needs: the loss angle of the component, the break
-// frequency of M2 (the paper has nearly the same in M6), and the end of the range of frequencies that is drawn.
+// Returns the specification with the inputs that another model needs and that are missing: the loss angle of the
+// component, the break frequency of model M2 (nearly that of M6 in the paper), and the highest frequency that is drawn.
 Specification completed(const io::ComponentDescription& description, const WantedModel& wanted,
                         std::vector<std::string>& added) {
   Specification from = description.written();
@@ -146,19 +147,19 @@ Specification completed(const io::ComponentDescription& description, const Wante
       from.set("loss_angle", std::atan(2.0 * from.at("relative_damping")));
     }
     if (!from.has("maximum_stiffness") && !from.has("high_frequency")) {
-      constexpr double kRange = 10.0;  // as in the sweep over frequency
+      constexpr double kRange = 10.0;  // end of the sweep over frequency in units of the nominal frequency
       add("high_frequency", kRange * frequency, fmt::format("{:g} Hz (end of the range)", kRange * frequency));
     }
   } else if (isRequired("break_frequency", wanted.model) && !from.has("break_frequency")) {
     const bool with_dashpot = wanted.model == Model::maxwell_dashpot;
-    const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // with M2's own, no loss would remain for the dashpot
+    const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // M2's own value would leave no loss for the dashpot
     const double found = share * breakFrequencyByLoss(from);
     add("break_frequency", found, fmt::format("{:.4g} Hz ({}that of M2)", found, with_dashpot ? "a third of " : ""));
   }
   return from;
 }
 
-// Returns the component in another model; notes list the inputs that were added.
+// Returns the component in another model. Adds the inputs that had to be derived to `notes`.
 io::ComponentDescription inModel(const io::ComponentDescription& description, const WantedModel& wanted,
                                  std::vector<std::string>& notes) {
   try {
@@ -175,7 +176,7 @@ io::ComponentDescription inModel(const io::ComponentDescription& description, co
   }
 }
 
-// Computes the points of a sweep with another component.
+// Computes the points of a sweep again for another component.
 std::vector<response::SweepPoint> sweptAgain(const io::ComponentDescription& description,
                                              const std::vector<response::SweepPoint>& points) {
   const component::Component component = description.makeComponent();

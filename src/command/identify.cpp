@@ -1,4 +1,4 @@
-// The report of `estimate --from-log`.
+// Computes and formats the report of `estimate --from-log`.
 #include "command/identify.h"
 
 #include <fmt/format.h>
@@ -51,12 +51,12 @@ nlohmann::ordered_json parameterJson(const fit::IdentifiedParameter& parameter) 
           {"given", parameter.given},     {"determined", parameter.determined}};
 }
 
-constexpr double kCycles = 5.0;  // drawn of each log: more would merge into one area
+constexpr double kCycles = 5.0;  // number of cycles drawn of each log, because more would merge into one area
 
-// A figure shows one sample per stride, so that it stays small.
+// Returns the distance between the samples that a figure shows, which keeps the file of the figure small.
 std::size_t stride(std::size_t samples) { return 1 + samples / 4000; }
 
-// Returns true if the logs determine a shift: all have a temperature, which varies.
+// Returns true if all logs have a temperature and the temperature varies. Only then is its effect determined.
 bool showTemperature(const std::vector<log::Log>& logs) {
   const bool all = std::none_of(logs.begin(), logs.end(), [](const log::Log& log) { return log.temperature.empty(); });
   return all && std::any_of(logs.begin(), logs.end(), [&](const log::Log& log) {
@@ -78,16 +78,16 @@ void holdShifts(const std::vector<element::ElementDescription>& elements, std::v
 
 constexpr std::size_t kShortest = 100;  // smallest number of samples of a record
 
-// The longest stretch of each log without time gaps as a record; nullopt if it is too short.
+// For each log, the record of its longest stretch without a time gap; nullopt if this is too short.
 using RecordsOfLogs = std::vector<std::optional<log::Record>>;
 
-// Errors of the rig in a set of logs.
+// The errors of the rig that were found in the logs.
 struct RigOfLogs {
   std::vector<Eigen::MatrixXd> columns;  // as fit::IdentificationOptions::rig; empty if nothing was found
   std::vector<measurement::RigFinding> findings;
 };
 
-// Excludes gain, delays and the offset of the displacement, which resemble the parameters to be identified.
+// Excludes gain, delays and displacement offset from the search, because they resemble the parameters to be identified.
 io::RigTolerances withoutParameters(io::RigTolerances tolerances) {
   tolerances.gain = tolerances.delay = tolerances.clock = tolerances.displacement_zero = {0.0, false};
   return tolerances;
@@ -102,7 +102,7 @@ gap::Forces simulateOver(const std::vector<element::ElementDescription>& element
   return gap::simulateEach(elements, records);
 }
 
-// Returns the indices of the logs without gaps whose record has every sample, and appends their records.
+// Returns the indices of the logs that have no time gap and as many samples as their record. Appends these records.
 std::vector<std::size_t> usable(const std::vector<log::Log>& logs, const RecordsOfLogs& all,
                                 std::vector<gap::PreparedRecord>& records) {
   std::vector<std::size_t> places;
@@ -115,7 +115,7 @@ std::vector<std::size_t> usable(const std::vector<log::Log>& logs, const Records
   return places;
 }
 
-// Adds the force offset of each log but the first; the fit has an offset that all logs share.
+// Adds a column for the force offset of each log but the first. The fit itself has an offset that all logs share.
 void addZeros(const std::vector<log::Log>& logs, std::vector<Eigen::MatrixXd>& columns) {
   for (std::size_t i = 1; i < logs.size(); ++i) {
     Eigen::MatrixXd wider(static_cast<Eigen::Index>(logs[i].size()), columns[i].cols() + 1);
@@ -124,7 +124,7 @@ void addZeros(const std::vector<log::Log>& logs, std::vector<Eigen::MatrixXd>& c
   }
 }
 
-// Replaces samples that a channel did not measure by straight lines, and appends the findings.
+// Returns the logs with faulty samples replaced by linear interpolation. Appends the findings.
 std::vector<log::Log> repairedLogs(const std::vector<log::Log>& logs, std::vector<measurement::RigFinding>& findings) {
   std::vector<log::Log> result = logs;
   for (log::Log& log : result) {
@@ -147,8 +147,8 @@ RecordsOfLogs recordsOf(const std::vector<log::Log>& logs) {
   });
 }
 
-// Finds force offsets that differ between logs, and forces that remain from before a log that starts in motion,
-// relative to the force of these elements. Logs that are too short or unevenly sampled are not examined.
+// Compares the logs with the simulated force of these elements. Finds force offsets that differ between logs, and
+// forces that persist from motion before a log began. Skips logs that are too short or unevenly sampled.
 RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, const io::RigTolerances& tolerances,
                     const std::vector<log::Log>& logs, const RecordsOfLogs& all) {
   std::vector<gap::PreparedRecord> records;
@@ -193,8 +193,8 @@ RigOfLogs rigOfLogs(const std::vector<element::ElementDescription>& elements, co
   return result;
 }
 
-// Refuses a reversed channel, exchanged columns, or a unit that is off by hundreds, which the fit would turn into a
-// component without a spring. Smaller factors may be real and are only noted.
+// Throws for a reversed channel, exchanged columns, or a unit that is wrong by a factor of hundreds. The fit would
+// explain these by a component without a spring. Smaller factors may be real and are only noted.
 void checkBenchOf(const io::ComponentDescription& description, const RecordsOfLogs& all,
                   std::vector<std::string>& notes) {
   std::vector<log::Record> records;
@@ -239,7 +239,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
   const RecordsOfLogs records = recordsOf(repaired);
   checkBenchOf(description, records, bench_notes);
   fit::Identification result = fit::identify(description.allElements(), repaired, options);
-  // The forces that remain from before a start in motion depend on the parameters; they are small, so two fits suffice.
+  // The forces that persist from earlier motion depend on the parameters. They are small, so that two fits suffice.
   constexpr int kLooks = 2;
   for (int look = 0; look < kLooks; ++look) {
     RigOfLogs rig = rigOfLogs(result.elements, description.rig.value_or(io::RigTolerances{}), repaired, records);
@@ -321,7 +321,7 @@ io::Figure identificationFigure(const io::ComponentDescription& description, con
     const std::vector<double> force = gap::replay(component, log).force;
     io::Axes loop{log.name, "displacement [mm]", "force [kN]"};
     io::Axes rest{log.name, "time [s]", "measured minus fitted [kN]"};
-    // The measured curve is broad and below the thin fitted one, so that both are visible.
+    // The measured curve is broad and lies beneath the thin fitted curve, so that both are visible.
     loop.curves = {{"measured", {}, {}, "-", 0, 2.8}, {"fitted", {}, {}, "-", io::kInk, 1.0}};
     rest.curves = {{"", {}, {}, "-", 4}};
     const std::size_t first = gap::firstOfLastCycles(log, gap::meanFrequency(log), kCycles);

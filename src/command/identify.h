@@ -1,4 +1,4 @@
-// The output of `estimate --from-log`: identified parameters, their intervals, and directions that remain undetermined.
+// The report of `estimate --from-log`: identified parameters, their intervals, and what remains undetermined.
 #pragma once
 
 #include <string>
@@ -11,11 +11,10 @@
 
 namespace rubber_suspension::command {
 
-/// Identifies the elements of a component, estimated and added ones, from logs with measured forces. The break
-/// frequencies of multi_maxwell are held: they are spread over the range, and for fixed break frequencies the
-/// stiffnesses have a unique best fit. Errors of the rig are corrected and reported in the notes: spikes and held
-/// values, force offsets that differ between logs, starts in motion. Throws std::invalid_argument, and LogError for a
-/// log without force.
+/// Identifies the elements of a component, including those under `add`, from logs with measured forces. The break
+/// frequencies of multi_maxwell are kept fixed: they are spread over the frequency range, and then the stiffnesses have
+/// a unique best fit. Spikes and held values, force offsets that differ between logs, and starts in motion are
+/// corrected and reported in the notes. Throws std::invalid_argument, and LogError for a log without force.
 fit::Identification identifyFromLogs(const io::ComponentDescription& description, const std::vector<log::Log>& logs,
                                      fit::IdentificationOptions options);
 
@@ -25,10 +24,10 @@ io::ComponentDescription identifiedComponent(const io::ComponentDescription& des
 
 std::string toText(const std::string& component, const fit::Identification& result);
 
-/// Returns {"schema": "rubber_suspension/identification/1", ...}; infinite limits are null.
+/// Returns JSON {"schema": "rubber_suspension/identification/1", ...}. Infinite limits of intervals are null.
 std::string toJson(const std::string& component, const fit::Identification& result);
 
-/// Returns a figure of the measured and fitted loop, and of the residual over time, of every log.
+/// Returns a figure that shows for each log the measured and the fitted loop, and the residual force over time.
 io::Figure identificationFigure(const io::ComponentDescription& description, const fit::Identification& result,
                                 const std::vector<log::Log>& logs);
 

@@ -1,4 +1,4 @@
-// State-space models of the linear part.
+// Computes state-space models of the linear part of a component.
 #include "command/linear_part.h"
 
 #include <fmt/format.h>
@@ -76,7 +76,7 @@ class LinearPartBuilder {
       addTrack(*track);
       return true;
     }
-    // Any law whose K* is imaginary and proportional to omega is a dashpot.
+    // A law whose K* is imaginary and proportional to omega acts as a dashpot.
     const std::complex<double> slow = *law.complexStiffness(1.0);
     const bool dashpot = slow.real() == 0.0 && *law.complexStiffness(2.0) == 2.0 * slow;
     sum_.damping += dashpot ? slow.imag() : 0.0;
@@ -89,7 +89,7 @@ class LinearPartBuilder {
     return true;
   }
 
-  // States: deflection z - q and rate dq/dt.
+  // The states are the deflection z - q, where q is the position of the moving mass, and the rate dq/dt.
   void addTrack(const element::InertiaTrack& track) {
     Block block{Eigen::MatrixXd(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::RowVector2d(track.stiffness(), 0.0)};
     block.a << 0.0, -1.0, track.stiffness() / track.mass(), -track.damping() / track.mass();

@@ -1,4 +1,4 @@
-// The linear part of a component as a state-space model, for linearised calculations of a vehicle.
+// Computes the linear part of a component as a state-space model, for linearised calculations of a vehicle.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,17 +13,17 @@ namespace rubber_suspension::command {
 struct LinearPart {
   std::string component;
   Eigen::MatrixXd a;
-  Eigen::MatrixXd b;  ///< two columns, in units of the states times [1/(m s)] and [1/m]
+  Eigen::MatrixXd b;  ///< two columns, in the units of the states times 1/(m s) and 1/m
   Eigen::RowVectorXd c;
   Eigen::RowVector2d d;               ///< [N/m], [N s/m]
-  std::vector<std::string> tangents;  ///< nonlinear springs, linearised at the nominal displacement
-  std::vector<std::string> left_out;  ///< elements that the linear part omits: friction, effects, the rig
+  std::vector<std::string> tangents;  ///< types of nonlinear springs that are linearised at the nominal displacement
+  std::vector<std::string> left_out;  ///< types of elements that are omitted: friction, effects, elements of the rig
 };
 
 LinearPart linearPartOf(const io::ComponentDescription& description);
 
-/// Writes the parts as FILE.json, or a single component as FILE.mat. Throws std::runtime_error with a path that cannot
-/// be written, std::invalid_argument for another name.
+/// Writes the parts as FILE.json, or a single component as FILE.mat. Throws std::runtime_error if the file cannot be
+/// written, and std::invalid_argument for another extension or several parts in a .mat file.
 void writeLinearParts(const std::vector<LinearPart>& parts, const std::string& path);
 
 }  // namespace rubber_suspension::command

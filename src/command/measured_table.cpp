@@ -1,4 +1,4 @@
-// Measured tables as text.
+// Parses measured tables of stiffness and loss angle.
 #include "command/measured_table.h"
 
 #include <fmt/format.h>
@@ -25,17 +25,17 @@ namespace rubber_suspension::command {
 namespace {
 
 constexpr std::size_t kLargestFile = 16 * 1024 * 1024;  // bytes
-constexpr std::size_t kMostRows = 1000;                 // a fit takes seconds for each
+constexpr std::size_t kMostRows = 1000;                 // a fit takes seconds for this number of rows
 
 // The quantities that a column may contain, with the names that laboratories use in English and German.
 struct TableQuantity {
   const char* name;
-  const char* unit;  // SI
-  double to_ours;    // factor to the quantity of the fit
+  const char* unit;  // SI unit
+  double to_ours;    // factor that converts to the quantity of the fit
   std::vector<std::string> words;
 };
 
-// Indices of these quantities.
+// Indices into tableQuantities().
 enum : std::size_t {
   kFrequency,
   kOmega,
@@ -109,7 +109,7 @@ const std::vector<TableQuantity>& tableQuantities() {
   return table;
 }
 
-// Words that laboratories add to the name or unit of an amplitude, with the factor to the amplitude of a sine.
+// A word that laboratories add to the name or unit of an amplitude, and the factor that converts to a sine's amplitude.
 struct AmplitudeWord {
   const char* word;
   double factor;
@@ -131,12 +131,12 @@ constexpr AmplitudeWord kAmplitudeWords[] = {{"peak-to-peak", 0.5},
                                              {"\u00b1", 1.0},
                                              {"+/-", 1.0}};
 
-// A column that is used: its quantity and the conversion to SI.
+// A column that is read: its quantity and the conversion of its numbers to SI units.
 struct TableColumn {
   std::size_t quantity;
   log::UnitConversion conversion;
   double factor = 1.0;
-  double level = 0.0;  // reference of a level in dB [SI]; 0: not a level
+  double level = 0.0;  // reference value of a level in dB [SI]; 0 if the column is not a level
 
   double toSi(double number) const {
     return level > 0.0 ? level * std::pow(10.0, number / 20.0) : factor * conversion(number);
@@ -183,7 +183,6 @@ class TableReader {
     }
   }
 
-  // Skips blank lines.
   static std::vector<log::TextLine> linesOf(const std::string& text) {
     std::vector<log::TextLine> lines;
     std::istringstream stream(log::toUtf8(text));
@@ -200,7 +199,7 @@ class TableReader {
     return lines;
   }
 
-  // Finds the header, which may follow a preamble and precede a row of units, as in logs.
+  // Finds the header. As in logs, it may follow a preamble and precede a row of units.
   log::CsvHeader headerOf(const std::vector<log::TextLine>& lines) const {
     log::HeaderFinder finder([this](const auto& names) { return knownOf(names) >= 2; },
                              "the columns frequency, amplitude, stiffness, loss angle");
@@ -220,13 +219,13 @@ class TableReader {
     return std::count_if(names.begin(), names.end(), [&](const log::ColumnName& name) {
       try {
         return columnOf(textOf(name)).has_value();
-      } catch (const std::runtime_error&) {  // of another unit, which is refused when the header is read
+      } catch (const std::runtime_error&) {  // a wrong unit is refused when the header is read
         return true;
       }
     });
   }
 
-  // Returns the name with the unit of the row below, even if no unit library knows it ("dB re 1 N/m", "mm p-p").
+  // Returns the name with the unit in the row below, even if UDUNITS does not know it, such as "dB re 1 N/m".
   static std::string textOf(const log::ColumnName& name) {
     return name.unit.empty() && !name.second.empty() ? name.text + " [" + name.second + "]" : name.withUnit();
   }
@@ -255,7 +254,7 @@ class TableReader {
     }
   }
 
-  // Refuses a matrix of stiffness with frequencies in rows and amplitudes in columns.
+  // Throws for a matrix of stiffness whose rows are frequencies and whose columns are amplitudes.
   void refuseMatrix() const {
     const auto is_amplitude = [](const std::string& name) {
       std::string point = name;
@@ -294,7 +293,7 @@ class TableReader {
 
   static std::string bareOf(const std::string& name) { return log::lowerCase(log::parseColumnName(name).bare); }
 
-  // Reads "Loss angle [deg]", "stiffness_N_per_m" or "tan delta"; returns nullopt for another column.
+  // Parses names such as "Loss angle [deg]", "stiffness_N_per_m" and "tan delta". Returns nullopt for any other name.
   std::optional<TableColumn> columnOf(const std::string& text) const {
     const log::ColumnName name = withUnitOfPairs(log::parseColumnName(text));
     if (auto amplitude = amplitudeOf(text, name)) {
@@ -307,7 +306,7 @@ class TableReader {
     return plain.bare == name.bare ? std::nullopt : quantityOf(plain.withUnit(), plain);
   }
 
-  // Removes the symbol after the word in "Stiffness K" or "Verlustwinkel \u03b4".
+  // Removes the symbol behind the name of a quantity, as in "Stiffness K" and "Verlustwinkel \u03b4".
   static log::ColumnName withoutSymbol(log::ColumnName name) {
     static const std::vector<std::string> symbols = {"k", "k*", "kdyn", "c",  "c*",     "cdyn",
                                                      "f", "a",  "d",    "s0", "\u03b4", "\u03c9"};
@@ -335,7 +334,7 @@ class TableReader {
     return std::nullopt;
   }
 
-  // Reads "Amplitude RMS [mm]", "Dyn Amp (mm p-p)" or "Amplitude (\u00b1mm)".
+  // Parses names such as "Amplitude RMS [mm]", "Dyn Amp (mm p-p)" and "Amplitude (\u00b1mm)".
   std::optional<TableColumn> amplitudeOf(const std::string& text, log::ColumnName name) const {
     if (name.unit.empty() && name.text.find_first_of("([") != std::string::npos) {
       const std::size_t open = name.text.find_last_of("([");
@@ -356,7 +355,7 @@ class TableReader {
     return std::nullopt;
   }
 
-  // Removes a word from the end or the beginning of a text; returns false if it has no such word.
+  // Removes a word from the end or the beginning of a text. Returns false if the word is at neither.
   static bool takeWord(std::string& text, const std::string& word) {
     const std::string lower = log::lowerCase(text);
     const bool behind = log::endsWith(lower, word);
@@ -382,7 +381,7 @@ class TableReader {
   }
 
   double levelOf(const std::string& text, const std::string& unit, const TableQuantity& quantity) const {
-    constexpr std::size_t kBefore = 6;  // "dB re "
+    constexpr std::size_t kBefore = 6;  // length of "dB re "
     try {
       return log::parseQuantity(unit.substr(kBefore), quantity.unit);
     } catch (const std::invalid_argument& error) {
@@ -399,7 +398,7 @@ class TableReader {
     }
   }
 
-  // Returns the unit, "1" for a ratio without one, or "" if the name is another word.
+  // Returns the unit if a name consists of `word` and a unit, "1" if it is a ratio without a unit, otherwise "".
   static std::string unitBehind(const std::string& text, const log::ColumnName& name, const std::string& word) {
     std::string lower = log::lowerCase(text);
     std::string joined = word;
@@ -411,7 +410,7 @@ class TableReader {
     if (lower == joined || lower == word + " [-]") {
       return ratio;
     }
-    const std::size_t open = lower.find_last_of("([");  // a unit that no library knows
+    const std::size_t open = lower.find_last_of("([");  // the brackets may contain a unit that UDUNITS does not know
     if (open != std::string::npos && log::trimmed(lower.substr(0, open)) == word) {
       return log::trimmed(text.substr(open + 1, text.find_last_of(")]") - open - 1));
     }
@@ -428,7 +427,7 @@ class TableReader {
     std::vector<log::Field> fields;
     log::splitFields(line, separator_, fields);
     while (fields.size() > columns_.size() && fields.back().text.empty()) {
-      fields.pop_back();  // a separator at the end of the line
+      fields.pop_back();  // the line ends in a separator
     }
     refuseIf(fields.size() != columns_.size(), "{} fields; accepted: {}, as in the header", fields.size(),
              columns_.size());
@@ -455,7 +454,7 @@ class TableReader {
     }
   }
 
-  // The sine oscillates about a displacement, so a table with a preload must state the displacement under it.
+  // The model needs the mean displacement of the sine, which the preload alone does not determine.
   void checkPreload(std::map<std::size_t, double>& values) const {
     refuseIf(values[kPreload] != 0.0 && values.count(kMean) == 0,
              "preload: {:g} N; accepted: 0, or with a column 'mean displacement [m]' that says where the preload holds "
@@ -472,7 +471,7 @@ class TableReader {
     const bool whole_loop = has(kStiffness) && (has(kLossAngle) || has(kTangent));
     if (!whole_loop && (has(kLoss) || has(kDamping))) {
       const bool by_damping = !has(kLoss);
-      // Beside a damping, the stiffness is its elastic part.
+      // If a damping constant is given, the stiffness is taken as the real part of K*.
       const double storage = has(kStorage) ? values[kStorage] : values[kStiffness];
       const double loss = by_damping ? 2.0 * element::kPi * point.frequency * values[kDamping] : values[kLoss];
       point.stiffness = std::hypot(storage, loss);

@@ -8,14 +8,14 @@
 
 namespace rubber_suspension::command {
 
-/// Parses columns with a header: frequency, amplitude, stiffness and loss angle, each with its unit in the name, such
-/// as "stiffness [kN/mm]", or as `export --format table` writes them; separated by commas, semicolons or tabs, with
-/// decimal points or commas. Skips empty lines and those that begin with #. Rows with a preload need a column mean
-/// displacement; a column temperature is optional. Throws std::runtime_error with `source` (the name of the file),
-/// line, column, value and what is accepted.
+/// Parses a table whose header names frequency, amplitude, stiffness and loss angle with their units, such as
+/// "stiffness [kN/mm]", or the columns that `export --format table` writes. Commas, semicolons, tabs or blanks separate
+/// the columns; numbers have decimal points or commas. Empty lines and lines that begin with # are skipped. Rows with a
+/// preload need a column of the mean displacement; a column of temperature is optional. Throws std::runtime_error with
+/// `source` (the name of the file), line, column, value and what is accepted.
 fit::MeasuredTable parseTable(const std::string& text, const std::string& source);
 
-/// Reads a file of at most 16 MiB; the table is named after the file, without folder and extension.
+/// Reads a file of at most 16 MiB. The name of the table is the file name without folder and extension.
 fit::MeasuredTable readTable(const std::string& path);
 
 }  // namespace rubber_suspension::command

@@ -1,4 +1,4 @@
-// k and c of a component at one sine, and their differences from the component elsewhere.
+// Computes stiffness and damping constant of a component under one sine, and the error under other sines.
 #include "command/spring_and_dashpot.h"
 
 #include <fmt/format.h>

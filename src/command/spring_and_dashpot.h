@@ -1,4 +1,4 @@
-// A component as one stiffness and one damping constant, for programs that have nothing else.
+// Reduces a component to a stiffness and a damping constant, for programs that accept nothing else.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::command {
 
-/// Frequency and amplitude of a sine.
+/// The frequency and amplitude of a sine.
 struct WorkingPoint {
   double frequency = 0.0;  ///< [Hz]
   double amplitude = 0.0;  ///< [m]
 };
 
-/// Returns K and loss angle of the settled loop at a point as "4.2 kN/mm and 5.7 degrees at 4 Hz and 1 mm".
+/// Returns stiffness and loss angle of the settled loop as text, "4.2 kN/mm and 5.7 degrees at 4 Hz and 1 mm".
 std::string stiffnessText(const component::Component& component, const WorkingPoint& at);
 
 struct SpringAndDashpot {
@@ -23,14 +23,13 @@ struct SpringAndDashpot {
   std::vector<std::string> notes;  ///< differences from the component at other frequencies and amplitudes
 };
 
-/// Returns a spring and a dashpot in parallel with the component's complex stiffness at the point. Throws
+/// Returns a spring and a dashpot in parallel that have the complex stiffness of the component under this sine. Throws
 /// std::invalid_argument unless frequency and amplitude are positive and finite.
 SpringAndDashpot springAndDashpot(const component::Component& component, const WorkingPoint& at);
 
-/// Returns YAML with both values in N, m, s and in N, mm, s, and notes as comments.
+/// Returns YAML with both constants, in N, m, s and in N, mm, s. The notes are added as comments.
 std::string toYaml(const std::string& name, const SpringAndDashpot& values, const WorkingPoint& at);
 
-/// Returns the notes as lines that begin with `mark`.
 std::string asComments(const std::vector<std::string>& notes, const std::string& mark);
 
 }  // namespace rubber_suspension::command

@@ -1,4 +1,4 @@
-// Values of a sweep in the units of figures, and curves through them.
+// Values of sweeps in the units of figures, and curves of these values.
 #pragma once
 
 #include "rubber_suspension/element/constants.h"
@@ -11,19 +11,19 @@ constexpr double kDegrees = 180.0 / element::kPi;
 
 using SweepQuantity = double (*)(const response::SweepPoint&);
 
-/// [Hz]
+/// Returns the frequency [Hz].
 inline double frequencyOf(const response::SweepPoint& point) { return point.frequency; }
 
-/// [mm]
+/// Returns the amplitude [mm].
 inline double amplitudeOf(const response::SweepPoint& point) { return point.amplitude * 1e3; }
 
-/// [kN/mm]
+/// Returns the stiffness [kN/mm].
 inline double stiffnessOf(const response::SweepPoint& point) { return point.characteristics.stiffness * 1e-6; }
 
-/// Loss angle [deg].
+/// Returns the loss angle [deg].
 inline double angleOf(const response::SweepPoint& point) { return point.characteristics.loss_angle * kDegrees; }
 
-/// Axis of a sweep.
+/// The quantity on the horizontal axis of a sweep.
 struct SweepAxis {
   const char* label;
   SweepQuantity value;
@@ -41,7 +41,7 @@ inline io::Curve curveThrough(const std::vector<response::SweepPoint>& points, c
   return curve;
 }
 
-/// Returns options for a sine that oscillates about a displacement [m].
+/// Returns the options for a sine about a mean displacement [m].
 inline response::LoopOptions loopsAbout(double mean) {
   response::LoopOptions options;
   options.mean = mean;

@@ -1,4 +1,4 @@
-// The text of `estimate --from-table` on a fit to a table.
+// Checks tables for `estimate --from-table`, and describes the fit to a table as text.
 #include "command/table_fit_text.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Checks of tables for `estimate --from-table`, and the text on a fit.
+// Checks tables for `estimate --from-table`, and describes the fit to a table as text.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::command {
 
-/// Throws std::runtime_error if the table has temperatures and an element of the component shifts with them, because a
-/// fit only identifies the shift of the key `temperature`. `source` is the name of the file.
+/// Throws std::runtime_error if the table has temperatures and an element of the component depends on temperature,
+/// because the fit can identify the dependence under the key `temperature` only. `source` is the name of the file.
 void requireNoShift(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                     const std::string& source);
 
-/// Throws std::runtime_error if all loss angles are negative or, unless units are accepted, the stiffness is off by
-/// hundreds. Smaller factors may be real and are returned as notes.
+/// Throws std::runtime_error if all loss angles are negative, or if the stiffness is wrong by a factor of hundreds and
+/// the user has not confirmed the units. Smaller factors may be real and are returned as notes.
 std::vector<std::string> checkBenchOfTable(const io::ComponentDescription& component, const fit::MeasuredTable& table,
                                            const std::string& source);
 
