@@ -1,4 +1,4 @@
-// The options --limits and --json of the commands that compare a simulated force with a measured one.
+// The options --limits and --json of commands that compare a simulated force with a measured one.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ class AgreementOptions {
   /// Returns the limits. Throws UsageError that names the option, its text and what is accepted.
   gap::AgreementLimits limits() const;
 
-  /// Writes the JSON if its file is given and anything was compared. Throws std::runtime_error.
+  /// Writes the JSON file if --json is given and a force was compared. Throws std::runtime_error.
   void write(const std::string& component, const std::string& log,
              const std::vector<gap::ComparedForce>& compared) const;
 

@@ -25,7 +25,8 @@ std::string accepted(const Quantity& quantity, const std::string& unit, double v
   return quantity.accepted.empty() ? element::acceptedFor(value, quantity.range) + " " + unit : quantity.accepted;
 }
 
-// Returns the unit for the text of a range: that of the user if the range is all numbers above 0 in any unit.
+// Returns the unit in which an error states the range. The range "greater than 0" is the same in the user's unit, which
+// is preferred. Other ranges are stated in the unit of the quantity.
 std::string unitForRange(const std::string& text, const Quantity& quantity) {
   const bool in_any_unit = quantity.range.lower == 0.0 && std::isinf(quantity.range.upper);
   const std::string written = log::unitOfQuantity(text);
@@ -43,7 +44,7 @@ bool writes(const Option& option) { return option.kind || option.files; }
 
 bool isGiven(const io::OutputFile& output) { return !output.path.empty(); }
 
-// Called before any file is read.
+// Checks the files that the options name, before any file is read.
 void checkFiles(const OptionTable& table, bool force) {
   Files all;
   std::vector<io::InputFile> logs;
@@ -75,7 +76,7 @@ int runAsked(int argc, char** argv, const Command& command, const OptionTable& o
     table = {own,
              Option("--force", force, "also replace an existing file of another kind than the command writes").rare()};
   }
-  // The help shows the defaults, which parse() overwrites.
+  // The help is made first, because it shows the defaults, which parse() overwrites.
   const std::string help = helpText(command, table, HelpSize::screen);
   const std::string all = helpText(command, table, HelpSize::all);
   switch (parse(argc, argv, command, table)) {
@@ -95,8 +96,7 @@ int runAsked(int argc, char** argv, const Command& command, const OptionTable& o
   return kFailed;
 }
 
-// Writes text to standard output line by line, without characters that could control a terminal: names of files may
-// contain any.
+// Writes text to standard output line by line, without the control characters that names of files may contain.
 class SafeOutput : std::streambuf {
  public:
   SafeOutput() : terminal_(std::cout.rdbuf(this)) {}
@@ -118,7 +118,7 @@ class SafeOutput : std::streambuf {
 
   int sync() override { return (line_.empty() || write('\0')) && terminal_->pubsync() == 0 ? 0 : -1; }
 
-  // `end` is '\n', or '\0' for no line end.
+  // `end` is '\n', or '\0' if no line end is to be written.
   bool write(char end) {
     std::string safe = log::oneLine(line_);
     line_.clear();
@@ -131,11 +131,10 @@ class SafeOutput : std::streambuf {
   std::string line_;
 };
 
-// malloc reserves 64 MiB of addresses for each thread, so all threads share one arena if addresses are limited.
-// Otherwise freed memory is kept for the next column of samples: the system clears each page that it hands out again,
-// which takes a quarter of the time of a fit of some 10,000 samples.
+// Configures malloc. It reserves 64 MiB of addresses for each thread, so all threads share one arena if addresses are
+// limited. Otherwise freed memory is kept, because clearing new pages takes a quarter of the time of a fit.
 void setUpMemory() {
-  constexpr int kLargestKept = 32 << 20;  // [bytes]; the largest value that malloc accepts
+  constexpr int kLargestKept = 32 << 20;  // bytes; the largest value that malloc accepts
   constexpr int kKept = 256 << 20;
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {

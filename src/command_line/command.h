@@ -1,4 +1,4 @@
-// Runs a command: reads its options, prints help, version and errors, and returns the exit status.
+// Runs a command: parses its options, prints help, version and errors, and returns the exit status.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::command_line {
 
-/// An error of the command line: exit status 2.
+/// An error in the command line, which results in exit status 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -21,20 +21,18 @@ class UsageError : public std::runtime_error {
 
 enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongUsage = 2, kDefect = 3 };
 
-/// Returns the version of this package.
 std::string version();
 
-/// Prints one line on stderr, without characters of a file's content that could control the terminal.
+/// Prints one line on stderr. Characters that could control the terminal are replaced.
 void printError(const std::string& command, const std::string& message);
 void printNote(const std::string& command, const std::string& note);
 void printNotes(const std::string& command, const std::vector<std::string>& notes);
 void printWarning(const std::string& command, const std::string& warning);
 
-/// Returns the value of a text such as "10 mm" in the unit of the quantity. Throws UsageError that names the option,
-/// the text and what is accepted.
+/// Converts a text such as "10 mm" to the unit of the quantity. Throws UsageError that names option and text.
 double quantityOf(const std::string& option, const std::string& text, const Quantity& quantity);
 
-/// Calls `call`, turning std::invalid_argument into UsageError; `option` precedes the reason.
+/// Returns the result of `call`, and converts std::invalid_argument to UsageError with the text `option` in front.
 template <class Call>
 auto asUsage(const std::string& option, Call call) {
   try {
@@ -44,19 +42,19 @@ auto asUsage(const std::string& option, Call call) {
   }
 }
 
-/// Returns the result of `work`; a terminal shows `what` if it takes long.
+/// Returns the result of `work`. If it takes long, `what` is shown on a terminal.
 template <class Work>
 auto during(const std::string& what, Work work) {
   const io::Activity activity(what);
   return work();
 }
 
-/// Runs a command: fills the targets of the options, then calls the body, which returns the exit status. Exceptions are
-/// printed as one line on stderr; wrong options return 2, all others 1.
+/// Runs a command: assigns the options to their targets and calls the body, which returns the exit status. Exceptions
+/// are printed as one line. The status is 2 for wrong options and refused output files, 1 for other exceptions.
 int runCommand(int argc, char** argv, const Command& command, const OptionTable& table,
                const std::function<int()>& body);
 
-/// Runs a command whose options are a type with a table, and passes them to the body.
+/// Runs a command whose options are an object of type Options with a function table(). The body receives this object.
 template <class Options, class Body>
 int runCommand(int argc, char** argv, const Command& command, const Body& body) {
   Options options;

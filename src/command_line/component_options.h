@@ -1,4 +1,4 @@
-// The options --config, --component and --without-rig of all commands that work on one component.
+// The options --config, --component and --without-rig of commands that work on one component.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct ComponentOptions {
   OptionTable table();
 
   /// Returns the component that the options select, and prints warnings about its specification. Throws
-  /// io::ComponentFileError, also for a component of six directions.
+  /// io::ComponentFileError, also if the component has six directions.
   io::ComponentDescription read(const std::string& command) const;
 
-  /// Returns the component as read() does, but also accepts six directions.
+  /// Returns the component as read() does, and also accepts six directions.
   io::ComponentDescription readAny(const std::string& command) const;
 };
 

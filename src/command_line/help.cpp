@@ -1,4 +1,4 @@
-// The help of a command.
+// Formats the help of a command.
 #include "command_line/help.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kWidth = 100;
 constexpr std::size_t kIndent = 28;
 
-// Wraps a line. In "  name  text", the text continues below its own beginning.
+// Wraps a line. The text of a line "  name  text" is indented so that it continues beneath its own beginning.
 std::string wrappedLine(const std::string& line, std::size_t indent) {
   const std::size_t gap = line.compare(0, 2, "  ") == 0 ? line.find("  ", 2) : std::string::npos;
   const std::size_t column = gap == std::string::npos ? 0 : line.find_first_not_of(' ', gap);
@@ -43,7 +43,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return result;
 }
 
-// A number outside its bounds or an empty text means "not given".
+// Returns the default of an option. A number outside its bounds and an empty text mean that the option is not given.
 std::string defaultOf(const Option& option) {
   return std::visit(
       [&](const auto& target) -> std::string {
@@ -65,7 +65,7 @@ std::string defaultOf(const Option& option) {
       option.target);
 }
 
-// " (1 to 64; default 2)".
+// Returns for example " (1 to 64; default 2)".
 std::string limitsOf(const Option& option) {
   std::vector<std::string> limits;
   if (option.is_required) {
@@ -113,7 +113,7 @@ std::string rows(const OptionTable& table, bool arguments, HelpSize size) {
   return text;
 }
 
-// Returns the names of the options that --help omits.
+// Returns the names of the options that --help omits and --help-all shows.
 std::string rareOnes(const OptionTable& table) {
   std::string names;
   for (const Option& option : table.options()) {
@@ -124,7 +124,7 @@ std::string rareOnes(const OptionTable& table) {
   return names;
 }
 
-// Breaks a call that is too long for a line between options, with a backslash.
+// Breaks a long call between options, with a backslash at the end of each line.
 std::string callText(const std::string& call) {
   std::vector<std::string> parts;  // an option with its values
   std::istringstream words(call);

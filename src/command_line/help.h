@@ -1,4 +1,4 @@
-// The help of a command, from its table of options.
+// Formats the help of a command from its table of options.
 #pragma once
 
 #include <string>
@@ -8,31 +8,30 @@
 
 namespace rubber_suspension::command_line {
 
-/// A call that works as printed; files of config/ are found from the folder of the package.
+/// An example that can be run as printed. The files of config/ in it are found in the folder of the package.
 struct Example {
-  std::string purpose;    ///< such as "A log without a header"
-  std::string arguments;  ///< text after the name of the command
+  std::string purpose;    ///< what the example does, such as "A log without a header"
+  std::string arguments;  ///< the part of the call after the name of the command
 };
 
 /// The name and purpose of a command.
 struct Command {
   std::string name;
-  /// Begins with a sentence "Simulates ...". Lines "  name  text" form a list. Text after the first empty line is for
-  /// --help-all.
+  /// Begins with a sentence such as "Simulates ...". Lines "  name  text" form a list. Only --help-all shows the text
+  /// after the first empty line.
   std::string description;
   std::vector<Example> examples = {};
 };
 
 enum class HelpSize {
-  screen,  ///< --help: the common options, as far as the first semicolon of their help
-  all,     ///< --help-all
+  screen,  ///< for --help: the common options, with their help as far as its first semicolon
+  all,     ///< for --help-all
 };
 
-/// Returns description, usage, arguments and options with their ranges and defaults, and examples, in lines of at most
-/// 100 characters.
+/// Returns description, usage, arguments, options and examples in lines of at most 100 characters.
 std::string helpText(const Command& command, const OptionTable& table, HelpSize size);
 
-/// Returns a number as text for help and errors: 100000 and 0.01, not 1e+05.
+/// Formats a number for help and errors: 100000 and 0.01, not 1e+05.
 std::string numberText(double number);
 
 }  // namespace rubber_suspension::command_line

@@ -1,4 +1,4 @@
-// The options that specify how to read a log, the same for every command that reads one.
+// The options that specify how to read a log, which are the same for all commands.
 #pragma once
 
 #include <memory>
@@ -15,31 +15,29 @@ namespace rubber_suspension::command_line {
 
 class LogOptions {
  public:
-  /// Returns --columns, --unit, --sampling-rate, --decimal, --segment, --bridge, --sentinel, --clock and --large.
   OptionTable table();
 
   /// Returns --accept-units, for commands that compare logs with a component.
   Option acceptUnits();
   bool acceptsUnits() const { return accept_units_; }
 
-  /// Returns the names of the options of table(), for rules.
+  /// Returns the names of the options of table(), for rules about them.
   static const std::vector<std::string>& names();
 
-  /// Throws UsageError for options that have no effect on a bag if all logs are bags, and for --clock if none is.
+  /// Throws UsageError for --decimal, --segment or --bridge if all logs are bags, and for --clock if none is a bag.
   void requireUse(const std::vector<std::string>& paths) const;
 
-  /// Reads a log of any kind, from a bag that of the component. Prints its notes. Throws UsageError and LogError.
+  /// Reads a log of any kind and prints its notes. `component` selects topics of a bag. Throws UsageError and LogError.
   log::Log read(const std::string& command, const std::string& path, const std::string& component) const;
 
-  /// Reads the log of a component of six directions; rotations of a bag are converted to this measure.
+  /// Reads the log of a component of six directions. Rotations in a bag are converted to `measure`.
   log::PoseLog readPoses(const std::string& command, const std::string& path, const std::string& component,
                          component::RotationMeasure measure) const;
 
-  /// Reads the logs of a file, several if --segment selects all, without printing their notes. Several threads may call
-  /// it at once.
+  /// Reads the log of a file, or all logs if --segment requests them, and prints no notes. The function is thread-safe.
   std::vector<log::Log> readAll(const std::string& path, const std::string& component) const;
 
-  /// Opens the logs for reading in blocks; several threads may call it at once. Throws UsageError and LogError.
+  /// Opens logs for reading in blocks. The function is thread-safe. Throws UsageError and LogError.
   log::LogSources openAll(const std::string& path, const std::string& component) const;
 
   static void printNotes(const std::string& command, const std::string& path, const std::vector<std::string>& notes);
@@ -49,10 +47,10 @@ class LogOptions {
 
   std::vector<std::string> columns_;
   std::vector<std::string> unit_;
-  double sampling_rate_ = 0.0;  // [Hz]; 0: not given
+  double sampling_rate_ = 0.0;  // [Hz]; 0 if not given
   std::string decimal_;
   std::string segment_;
-  double bridge_ = -1.0;  // [s]; less than 0: not given
+  double bridge_ = -1.0;  // [s]; negative if not given
   std::string sentinel_;
   std::string clock_;
   bool accept_units_ = false;

@@ -1,4 +1,4 @@
-// The options of a command as data.
+// Represents the options of a command as data.
 #include "command_line/option_table.h"
 
 namespace rubber_suspension::command_line {

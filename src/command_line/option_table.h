@@ -1,5 +1,5 @@
-// The options of a command as data: their names, values, targets, and rules for combinations of them.
-// command_line/parse.h parses a command line by such a table.
+// Represents the options of a command as data: names, values, targets, and rules for combinations of them. The
+// functions in command_line/parse.h parse a command line according to such a table.
 #pragma once
 
 #include <cstdint>
@@ -17,33 +17,32 @@
 
 namespace rubber_suspension::command_line {
 
-/// A value with its unit, as "10 mm" or "1 %"; a number alone is in `unit`.
+/// The target of an option whose value is a quantity such as "10 mm" or "1 %". A number without a unit is in `unit`.
 struct Quantity {
-  std::variant<double*, std::optional<double>*, std::vector<double>*> value;  ///< in `unit`
-  std::string unit;                                                           ///< SI, in UDUNITS spelling
+  std::variant<double*, std::optional<double>*, std::vector<double>*> value;  ///< receives the value in `unit`
+  std::string unit;                                                           ///< SI unit in the spelling of UDUNITS
   element::Range range = element::Range::positive();
-  std::string accepted = {};  ///< for errors; empty: follows from the range
+  std::string accepted = {};  ///< what errors state as accepted; empty: derived from the range
 };
 
-/// The variable that an option fills: a flag, text, a number, or a list of these. It must outlive the command.
+/// The variable to which the value of an option is assigned. It must outlive the command.
 using Target = std::variant<bool*, std::string*, std::vector<std::string>*, double*, int*, std::vector<int>*,
                             std::uint64_t*, Quantity>;
 
-/// Files that a command reads and writes besides those that its options name, such as those in a folder.
+/// The files that a command reads and writes although no option names them, such as the files in a folder.
 struct Files {
   std::vector<io::InputFile> inputs;
   std::vector<io::OutputFile> outputs;
 };
 
-/// One row of the table. A name without dashes is a positional argument.
+/// An option, which is one row of the table. A name without dashes makes it a positional argument.
 struct Option {
   static constexpr int kAny = std::numeric_limits<int>::max();
 
-  /// Makes a flag.
   Option(std::string name, bool& given, std::string help);
 
-  /// Makes an option with a value, or several if the target is a list. The placeholder names the value ("SECONDS"); the
-  /// help has neither capital nor full stop. The value of the target is the default, shown if it is admissible.
+  /// Makes an option with a value, or with several if the target is a list. The placeholder names the value
+  /// ("SECONDS"). The help has no capital and no full stop. The target's value is the default.
   template <class T>
   Option(std::string name_, T& target_, std::string placeholder_, std::string help_)
       : Option(std::move(name_), Target(&target_), std::move(placeholder_), std::move(help_)) {}
@@ -51,38 +50,38 @@ struct Option {
 
   Option& required() { return is_required = true, *this; }
 
-  /// Omits the option from --help, which is one screen; --help-all shows it.
+  /// Omits the option from --help, which should fit on a screen. --help-all shows it.
   Option& rare() { return is_rare = true, *this; }
 
-  /// Makes the option accepted but not shown in any help.
+  /// Omits the option from all help texts.
   Option& hidden() { return is_hidden = true, *this; }
 
-  /// Accepts numbers from `lowest` to `highest`.
+  /// Restricts the value to numbers from `lowest` to `highest`.
   Option& within(double lowest, double highest) { return bounds = {lowest, highest}, *this; }
 
-  /// Accepts only these words.
+  /// Restricts the value to these words.
   Option& oneOf(std::vector<std::string> all) { return words = std::move(all), *this; }
 
-  /// Sets the number of values; by default a list accepts any number.
+  /// Sets how many values the option takes. By default, a list takes any number of values.
   Option& values(int least, int most) { return least_values = least, most_values = most, *this; }
 
-  /// Sets the default of a quantity for the help, as a user would write it.
+  /// Sets the text that the help shows as the default of a quantity.
   Option& defaultText(std::string text) { return default_text = std::move(text), *this; }
 
-  /// Sets a check, which returns the error of a text, or "" if it is valid.
+  /// Sets a function that returns the error in a value, or "" if the value is valid.
   Option& checkedBy(std::function<std::string(const std::string&)> check) { return problem = std::move(check), *this; }
 
-  /// Marks names of files to read. Before the command begins, it is checked that no file is both read and written and
-  /// that no file of another kind is replaced without --force.
+  /// Declares the value as a file to read. Before the command begins, it is checked that no file is both read and
+  /// written, and that no file of another kind is overwritten unless --force is given.
   Option& reads() { return is_input = true, *this; }
 
-  /// Marks names of logs to read, none of which may occur twice in all such options together.
+  /// Declares the value as a log to read. No log may occur twice in all options of this kind.
   Option& readsEachOnce() { return is_each_once = true, reads(); }
 
-  /// Marks names of files to write. The command then has the option --force.
+  /// Declares the value as a file to write. The command then has the option --force.
   Option& writes(io::FileKind written) { return kind = written, *this; }
 
-  /// Sets a function, called after parsing, that returns the files which an option implies, such as those of a folder.
+  /// Sets a function that returns the files which an option implies. It is called after parsing.
   Option& standsFor(std::function<Files()> all) { return files = std::move(all), *this; }
 
   bool isArgument() const { return name.compare(0, 1, "-") != 0; }
@@ -98,8 +97,8 @@ struct Option {
   std::optional<std::pair<double, double>> bounds;
   std::vector<std::string> words;
   int least_values = 1;
-  int most_values = 1;       ///< kAny by default for a list
-  std::string default_text;  ///< empty: no default is shown
+  int most_values = 1;       ///< by default kAny for a list
+  std::string default_text;  ///< empty: the help shows no default
   std::function<std::string(const std::string&)> problem;
   bool is_input = false;
   bool is_each_once = false;
@@ -107,23 +106,23 @@ struct Option {
   std::function<Files()> files;
 };
 
-/// Rule for combinations of options. A condition is a given option, such as "--plan", or an option and its value, such
-/// as "--forces topics".
+/// A rule for combinations of options. The condition "--plan" means that this option is given, the condition "--forces
+/// topics" that this option has this value.
 struct Rule {
   enum class Kind {
-    needs,     ///< the options have no effect unless one of the conditions holds
-    excludes,  ///< the options have no effect if one of the conditions holds
-    one_of,    ///< exactly one of the options has to be given
+    needs,     ///< the options have no effect unless one of the conditions is true
+    excludes,  ///< the options have no effect if one of the conditions is true
+    one_of,    ///< exactly one of the options must be given
   };
   Kind kind;
   std::vector<std::string> options;
   std::vector<std::string> conditions;
 };
 
-/// The options of a command in the order of its help. Options that several commands share are tables that are joined.
+/// The options of a command in the order of its help. Tables of options that several commands share can be joined.
 class OptionTable {
  public:
-  OptionTable(Option option) : options_{std::move(option)} {}  // NOLINT: a row is a table
+  OptionTable(Option option) : options_{std::move(option)} {}  // NOLINT: converts an option to a table of one row
   OptionTable(std::initializer_list<OptionTable> parts);
 
   OptionTable& needs(std::vector<std::string> options, std::vector<std::string> conditions) {

@@ -1,4 +1,4 @@
-// The only file that includes CLI11, which takes long to compile.
+// Parses command lines with CLI11. No other file includes CLI11, which takes long to compile.
 #include "command_line/parse.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 struct VersionRequest {};
 
-// Returns the error of a number, which must be finite.
+// Returns the error if a text is not a number within the bounds; otherwise an empty text.
 std::string outOfBounds(const Option& option, const std::string& text) {
   const auto [lowest, highest] = *option.bounds;
   const std::optional<double> number = log::parseNumber(text);
@@ -31,7 +31,7 @@ std::string outOfBounds(const Option& option, const std::string& text) {
                      real ? "a number" : "a whole number", numberText(lowest), numberText(highest));
 }
 
-// "a, b or c".
+// Returns for example "a, b or c".
 std::string alternatives(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -61,7 +61,7 @@ class Parser {
     } catch (const VersionRequest&) {
       return Request::version;
     } catch (const CLI::ParseError& error) {
-      // A misspelt option is reported first, because it may be why another one is missing.
+      // A misspelt option is reported first, because it may be the reason why a required option is missing.
       const std::string unknown = unknownOption();
       throw UsageError(unknown.empty() ? std::string(error.what()) + " (see --help)" : unknown);
     }
@@ -80,7 +80,7 @@ class Parser {
 
   CLI::Option* add(const Option& option, bool* flag) { return app_.add_flag(option.name, *flag); }
 
-  // Stores the text, which is converted after the rules are checked.
+  // Stores the text of a quantity. It is converted after the rules have been checked.
   CLI::Option* add(const Option& option, const Quantity& /*quantity*/) {
     quantities_.push_back({&option, {}});
     CLI::Option* parsed = app_.add_option(option.name, quantities_.back().texts);
@@ -135,7 +135,7 @@ class Parser {
 
   bool isGiven(const std::string& option) const { return app_.count(option) > 0; }
 
-  // Returns the text of an option, which may be its default.
+  // Returns the value of a text option, which may be its default.
   const std::string& textOf(const std::string& name) const {
     const auto found = std::find_if(table_.options().begin(), table_.options().end(),
                                     [&](const Option& option) { return option.name == name; });
@@ -148,14 +148,14 @@ class Parser {
                                       : textOf(condition.substr(0, blank)) == condition.substr(blank + 1);
   }
 
-  // Returns " with --plan", or " on run" if the condition is about an argument.
+  // Returns " with --plan", or " on run" if the condition concerns a positional argument.
   std::string reason(const std::string& preposition, const std::vector<std::string>& conditions) const {
     const std::string& first = conditions.front();
     return first[0] == '-' ? " " + preposition + " " + alternatives(conditions)
                            : " on " + textOf(first.substr(0, first.find(' ')));
   }
 
-  // Refuses options that have no effect.
+  // Throws UsageError if one of these options is given, because it has no effect.
   void refuseGiven(const std::vector<std::string>& options, const std::string& why) const {
     for (const std::string& option : options) {
       element::refuseIf<UsageError>(isGiven(option), "{} has no effect{}", option, why);

@@ -1,4 +1,4 @@
-// Parses a command line by a table of options.
+// Parses a command line according to a table of options.
 #pragma once
 
 #include "command_line/help.h"
@@ -8,8 +8,8 @@ namespace rubber_suspension::command_line {
 
 enum class Request { run, help, help_all, version };
 
-/// Fills the targets of the table. Throws UsageError with one line if the words do not fit the table or its rules; for
-/// a misspelt option it names the nearest one.
+/// Assigns the values in a command line to the targets of the table. Throws UsageError with one line if an argument
+/// violates the table or its rules. The error for a misspelt option suggests the most similar one.
 Request parse(int argc, char** argv, const Command& command, const OptionTable& table);
 
 }  // namespace rubber_suspension::command_line

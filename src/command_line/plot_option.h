@@ -1,4 +1,4 @@
-// The option --plot of all commands whose result is numbers over an axis.
+// The option --plot of commands whose results can be drawn as curves.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::command_line {
 
-/// Returns --plot with the help "figure to draw, .svg or .png: `what`". Other extensions are refused before any work.
+/// Returns the option --plot with the help "figure to draw, .svg or .png: `what`". Other extensions are refused.
 inline Option plotOption(std::string& path, const std::string& what) {
   return Option("--plot", path, "FILE", "figure to draw, .svg or .png: " + what)
       .writes(io::file_kind::figure)
@@ -18,8 +18,7 @@ inline Option plotOption(std::string& path, const std::string& what) {
       });
 }
 
-/// Draws the figure that `make` returns, if a path is given; a terminal shows that it takes time. Throws
-/// io::FigureError.
+/// Draws the figure that `make` returns, if a path is given. Throws io::FigureError.
 template <class Make>
 void drawPlot(const std::string& path, Make make) {
   if (!path.empty()) {

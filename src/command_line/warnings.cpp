@@ -1,4 +1,4 @@
-// Warnings of inputs that are valid but suspicious.
+// Warns of inputs that are valid but suspicious.
 #include "command_line/warnings.h"
 
 #include "command_line/command.h"

@@ -1,4 +1,4 @@
-// Warnings, one line each on stderr, of inputs that are valid but suspicious; all commands share them.
+// Prints warnings of inputs that are valid but suspicious, one line each on stderr. All commands share these warnings.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace rubber_suspension::command_line {
 /// Warns of suspicious values in a component's specification.
 void warnOf(const std::string& command, const io::ComponentDescription& description);
 
-/// Warns of a suspicious log, if `odd` names what is suspicious.
+/// Warns of a log if `odd` states what is suspicious in it.
 void warnOf(const std::string& command, const std::string& path, const std::optional<std::string>& odd);
 
 /// Warns if the component depends on temperature and the log has none.
