@@ -1,4 +1,4 @@
-// The command `bag_to_csv`: writes displacement and measured force of one component in a bag as a CSV log.
+// The command `bag_to_csv` writes displacement and measured force of one component in a bag as a CSV log.
 #include "bag/bag_log.h"
 #include "command_line/command.h"
 #include "io/progress.h"

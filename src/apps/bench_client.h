@@ -1,4 +1,4 @@
-// Code shared by the commands that communicate with a running node.
+// Functions that are shared by the commands that communicate with a running node.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -13,7 +13,7 @@
 
 namespace rubber_suspension::apps {
 
-/// Keeps the client to the loopback interface, like the node, and reports if that is refused.
+/// Restricts the client to the loopback interface, as the node does. Prints a note if that is not possible.
 inline void noteOpenness(const std::string& command) {
   const std::string refusal = ros_interface::keepSlaveApiToLoopback();
   if (!refusal.empty()) {
@@ -21,20 +21,20 @@ inline void noteOpenness(const std::string& command) {
   }
 }
 
-/// Calls a service that resets the component, unless the name is empty. Throws PlayError.
+/// Calls the service that resets the component, unless its name is empty. Throws PlayError.
 inline void resetComponent(const ros::NodeHandle& handle, const std::string& service) {
-  constexpr double kPatience = 30.0;  // [s]; a node advertises its topics before its services
+  constexpr double kPatience = 30.0;  // [s]; a node advertises its services after its topics
   const std::string refusal = service.empty() ? "" : ros_interface::callTrigger(handle.resolveName(service), kPatience);
   element::refuseIf<ros_interface::PlayError>(!refusal.empty(), "{}", refusal);
 }
 
-/// Returns the options with a callback that prints notes on what the player waits for.
+/// Returns `play` with a function that prints what the player is waiting for.
 inline ros_interface::PlayOptions withNotes(ros_interface::PlayOptions play, const std::string& command) {
   play.notify = [command](const std::string& text) { command_line::printNote(command, text); };
   return play;
 }
 
-/// Returns the options of a player; `partner` names the program that answers.
+/// Returns the options of a player. `partner` is the name of the program that returns the forces.
 inline command_line::OptionTable playerTable(ros_interface::PlayOptions& play, const std::string& partner) {
   using command_line::Option;
   return {Option("--playback-speed", play.rate, "FACTOR",

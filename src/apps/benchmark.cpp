@@ -1,4 +1,4 @@
-// The command `benchmark`: measures the time that the library takes on this machine.
+// The command `benchmark` measures the computing time of the library on this computer.
 #include "benchmark/own_work.h"
 #include "command_line/command.h"
 

@@ -1,4 +1,4 @@
-// The command `campaign`: many diagnoses, estimates or replays as one task, on one machine or on a cluster.
+// The command `campaign` runs many diagnoses, estimates or replays as one task, on one computer or on a cluster.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The test node `check_force`: plays a log through a bench and passes if its forces agree with a reference.
+// The test node `check_force` plays a log through a node and passes if the node's forces agree with a reference.
 #include <fmt/format.h>
 #include <ros/node_handle.h>
 
@@ -78,8 +78,8 @@ ros_interface::ForceReference referenceFor(const Options& options, const log::Lo
 
 struct Outcome {
   std::vector<ros_interface::TestCase> cases;
-  std::vector<gap::ComparedForce> compared;  ///< empty if nothing was compared
-  io::Figure figure;                         ///< without axes if nothing was compared
+  std::vector<gap::ComparedForce> compared;  ///< empty if no force was compared
+  io::Figure figure;                         ///< without axes if no force was compared
 };
 
 Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
@@ -107,7 +107,7 @@ Outcome check(ros_interface::RosCommandLine& line, const Options& options) {
   return outcome;
 }
 
-// An error that prevents the check is a failure of the check and is reported like one.
+// An exception during the check is reported as a failed check, unless the command line is wrong.
 Outcome checkOrFail(ros_interface::RosCommandLine& line, const Options& options) {
   try {
     return check(line, options);
@@ -120,7 +120,7 @@ Outcome checkOrFail(ros_interface::RosCommandLine& line, const Options& options)
 
 int run(ros_interface::RosCommandLine& line, const Options& options) {
   const std::string path = reportPath(options);
-  options.agreement.limits();  // throws UsageError before anything is played
+  options.agreement.limits();  // throws UsageError before the log is played
   options.log_options.requireUse({options.log});
   const Outcome outcome = checkOrFail(line, options);
   if (!path.empty()) {

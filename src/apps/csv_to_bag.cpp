@@ -1,4 +1,4 @@
-// The command `csv_to_bag`: writes a log of any other kind as a bag with the node's topics.
+// The command `csv_to_bag` writes a log of any other format as a bag with the node's topics.
 #include "bag/bag_log.h"
 #include "command_line/command.h"
 #include "command_line/log_options.h"

@@ -1,5 +1,4 @@
-// The command `diagnose`: finds where the simulation differs from measured logs, which unmodelled effect causes this,
-// and how far the gap shrinks.
+// The command `diagnose` finds where a simulation differs from logs, and which effect the model lacks.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -28,7 +27,7 @@ namespace {
 using namespace command_line;
 
 io::FileKind kindOf(const std::string& name) {
-  // By the whole name, or by the extension.
+  // Kinds of files by name, or by extension for all other names.
   static const std::map<std::string, io::FileKind> kinds = {{"plan.json", io::file_kind::plan_json},
                                                             {"plan.html", io::file_kind::plan_html},
                                                             {"missing_force.csv", io::file_kind::force_map_csv},
@@ -42,7 +41,7 @@ io::FileKind kindOf(const std::string& name) {
   return found != kinds.end() ? found->second : kinds.at(std::filesystem::path(name).extension().string());
 }
 
-// Returns all files that the report may consist of.
+// Returns all files that the report can consist of.
 Files reportFiles(const DiagnoseOptions& options) {
   Files files;
   const auto add = [&](const std::filesystem::path& folder, const std::vector<std::string>& names) {
@@ -61,7 +60,7 @@ Files reportFiles(const DiagnoseOptions& options) {
   return files;
 }
 
-// Names the first few logs only: the report lists all.
+// Describes the removed parts of the first few logs. The report lists all of them.
 std::string takenOut(const diagnosis::Diagnosis& diagnosis) {
   constexpr std::size_t kMostLogs = 8;
   std::vector<std::string> phrases = diagnosis::words::describeTakenOut(diagnosis.logs.taken_out);

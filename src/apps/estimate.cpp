@@ -1,5 +1,5 @@
-// The command `estimate`: prints the parameters of components, estimated from a specification or identified from logs,
-// with stiffness and loss angle over frequency and amplitude; turns data sheets into component files.
+// The command `estimate` prints parameters, stiffness and loss angle of components. It estimates the parameters from a
+// specification or a data sheet, or identifies them from logs or a table.
 #include "command/estimate.h"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ struct Options {
   OptionTable table();
 };
 
-// Each way to estimate uses some of the options and refuses the others.
+// Each way to estimate has its own options and refuses those of the others.
 OptionTable Options::table() {
   OptionTable options = {
       Option("--config", config, "FILE", "component file").reads(),
@@ -160,7 +160,7 @@ command::EstimateReport reportOf(const io::ComponentDescription& component, cons
   return report;
 }
 
-// Returns reports with enough points for smooth curves in a figure.
+// Returns reports with enough points to draw smooth curves.
 std::vector<command::EstimateReport> smoothReports(const std::vector<io::ComponentDescription>& components,
                                                    command::SweepOptions sweeps, std::optional<double> sensitivity) {
   constexpr int kSmooth = 61;
@@ -231,7 +231,7 @@ int fitToTable(const Options& options) {
   return kSuccess;
 }
 
-// Warns of amplitudes in the wrong unit: "--amplitude 5" means 5 m.
+// Warns of amplitudes that are probably not in metres, such as 5 m for "--amplitude 5".
 void warnOfAmplitudes(const io::ComponentDescription& component, const command::SweepOptions& sweeps) {
   const gap::MotionScale scale = gap::motionScaleOf(component);
   for (const auto& [option, amplitude] :
@@ -264,7 +264,7 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
   }
 }
 
-// Called before any file is written.
+// Checks the name of the state-space file before any file is written.
 void checkStateSpace(const std::string& path, std::size_t components) {
   element::refuseIf<UsageError>(
       !path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1),

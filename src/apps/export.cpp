@@ -1,4 +1,4 @@
-// The command `export`: writes a component for another program as property file, table, k and c, or FMU.
+// The command `export` writes a component for another program: property file, table, constants or FMU.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ struct Options {
   }
 };
 
-// Returns a number of the specification, with six directions that of the first direction that has it.
+// Returns a number of the specification or, for six directions, of the first that specifies it; else `otherwise`.
 double specified(const io::ComponentDescription& description, const std::string& key, double otherwise) {
   if (!description.six) {
     return description.specification().valueOr(key, otherwise);
@@ -120,7 +120,7 @@ void complete(command::BushingCurve& curve, bool is_there, double amplitude, con
   curve.largest = curve.largest > 0.0 ? curve.largest : 5.0 * curve.amplitude;
 }
 
-// The content of a file, and notes on what the format cannot represent.
+// The content of a file, and notes on what its format cannot represent.
 struct Exported {
   std::string content;
   std::vector<std::string> notes;

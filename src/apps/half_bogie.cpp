@@ -1,4 +1,4 @@
-// The command `half_bogie`: simulates a vehicle on rubber components with forces from the library or over topics.
+// The command `half_bogie` simulates a vehicle with component forces from the library or, over topics, from a node.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -57,7 +57,7 @@ Scene sceneOf(const Options& options) {
   return scene;
 }
 
-// Returns the source of the forces: the node or the library.
+// Returns the source of the forces: the library or a running node.
 std::unique_ptr<Exchange> partner(ros_interface::RosCommandLine& line, const Options& options, Kind kind,
                                   const Bushes& components) {
   if (options.forces == "library") {

@@ -1,4 +1,4 @@
-// The command `play_log`: plays a log through a running node and records the forces.
+// The command `play_log` plays logs through a running node and records the forces.
 #include <fmt/format.h>
 #include <ros/init.h>
 #include <ros/node_handle.h>
@@ -112,7 +112,7 @@ ros_interface::RecordPaths recordPaths(const Options& options, const std::string
   return paths;
 }
 
-// `log` receives the stamps and temperatures of the poses, which all players need.
+// Reads a log of poses. track.log receives its stamps, temperatures and first coordinate, which all players need.
 ros_interface::BenchTrack poseTrack(const Options& options, const std::string& component, const std::string& path) {
   ros_interface::BenchTrack track;
   track.component = component;
@@ -125,7 +125,7 @@ ros_interface::BenchTrack poseTrack(const Options& options, const std::string& c
   return track;
 }
 
-// Records no gap if the log has no measured force.
+// Reads the log of a component. The gap is not recorded if the log has no measured force.
 ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   ros_interface::BenchTrack track;
   track.component = options.components[i];
@@ -143,7 +143,7 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   return track;
 }
 
-// Checks the records in the new folder together with the files of --output and the like, which may lie in it.
+// Checks the files of the new folder and the files of options such as --output, which may lie in the new folder.
 void checkRecords(const Options& options) {
   std::vector<io::OutputFile> outputs = {{"--plot", options.plot, io::file_kind::figure}};
   for (const std::string& component : options.components) {
@@ -163,7 +163,7 @@ std::vector<ros_interface::BenchTrack> readTracks(const Options& options) {
   return tracks;
 }
 
-// A run never replaces an earlier one.
+// Makes a new folder if the given one contains records, so that a run never overwrites an earlier one.
 void makeFolder(Options& options) {
   if (options.folder.empty()) {
     return;
@@ -189,7 +189,7 @@ std::string describe(const ros_interface::BenchCount& count) {
   return count.gaps > 0 ? text + fmt::format("; gap published {} times", count.gaps) : text;
 }
 
-// Returns the failure, if any. Only an endless playback may be interrupted.
+// Returns why a playback failed, or an empty text. An interrupt is a failure unless the playback is endless.
 std::string failureOf(const ros_interface::BenchCount& count, bool endless) {
   if (!count.exactlyOneEach()) {
     return "not every sample had exactly one force";

@@ -1,4 +1,4 @@
-// The command `reference`: prints the reference pages of docs/ that are generated from tables of the code.
+// The command `reference` prints the pages of docs/ that are generated from the code.
 #include "io/reference.h"
 
 #include "command_line/command.h"

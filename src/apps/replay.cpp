@@ -1,4 +1,4 @@
-// The command `replay`: simulates a component on a recorded log, with the same forces as the node to the last bit.
+// The command `replay` simulates a component on a recorded log, with the same forces as the node to the last bit.
 #include "rubber_suspension/gap/replay.h"
 
 #include <fmt/format.h>
@@ -57,7 +57,6 @@ void noteBridged(const Options& options, std::uint64_t bridged) {
   }
 }
 
-// Returns the agreement of each measured direction.
 std::vector<gap::ComparedForce> compare(const log::Log& log, const gap::Replay& replay,
                                         const gap::AgreementLimits& limits) {
   return {{"", gap::agreementOf(log, replay.force), limits}};
@@ -86,7 +85,7 @@ std::vector<gap::ComparedForce> compare(const log::PoseLog& log, const gap::Pose
   return compared;
 }
 
-// Returns exit status 1 if a figure exceeds its limit.
+// Writes and prints the agreement. Returns exit status 1 if one of its values exceeds its limit.
 int publishAgreement(const Options& options, const std::string& component,
                      const std::vector<gap::ComparedForce>& compared) {
   options.agreement.write(component, options.log, compared);
@@ -101,14 +100,14 @@ int publishAgreement(const Options& options, const std::string& component,
   return status;
 }
 
-// Writes the forces, or wrenches, by `write`, and prints a summary.
+// Writes the forces or wrenches by means of `write`, and prints a summary.
 template <class Log, class Loads, class Replay>
 int publish(const Options& options, const std::string& component, const Log& log, const Loads& loads,
             const Replay& replay, void (*write)(const std::string&, const Log&, const Loads&),
             const std::string& summary) {
   const std::vector<gap::ComparedForce> compared =
       options.compare ? compare(log, replay, options.agreement.limits()) : std::vector<gap::ComparedForce>();
-  // Nothing is written before all checks of the log have passed.
+  // No file is written before the log has passed all checks.
   during("writing " + options.output, [&] { write(options.output, log, loads); });
   drawPlot(options.plot, [&] { return gap::replayFigure(component, log, loads); });
   std::cout << summary << "\n" << options.output << '\n';
@@ -130,7 +129,7 @@ int runPoses(const Options& options, const io::ComponentDescription& description
 }
 
 int run(const Options& options) {
-  options.agreement.limits();  // throws UsageError before anything is read
+  options.agreement.limits();  // throws UsageError before any file is read
   options.log_options.requireUse({options.log});
   const io::ComponentDescription description = options.component.readAny("replay");
   if (description.six) {

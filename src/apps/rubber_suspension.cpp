@@ -1,4 +1,4 @@
-// rubber-suspension: one command on PATH whose subcommands are the programs of lib/rubber_suspension.
+// The program rubber-suspension on PATH, whose subcommands are the programs in lib/rubber_suspension.
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,12 +23,12 @@ namespace fs = std::filesystem;
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
-// Returns the folder of the programs, relative to this program even if it was called through a link.
+// Returns the folder of the programs relative to the file of this program, even if a symbolic link was called.
 fs::path programsFolder() {
   return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" / "rubber_suspension";
 }
 
-// A devel space has no copies of the scripts; a file contains the path of their folder.
+// Returns the path of a program. A devel space has no copies of scripts, but a file that contains their folder.
 fs::path programPath(const std::string& name) {
   fs::path program = programsFolder() / name;
   std::ifstream elsewhere(programsFolder() / "scripts_folder.txt");
@@ -41,14 +41,14 @@ int fail(int status, const std::string& message) {
   return status;
 }
 
-// Lets scripts find the Python module of the same space even if its setup.sh was not sourced.
+// Adds the Python module of this space to PYTHONPATH, so that scripts find it without setup.sh.
 void addPythonModule() {
   const char* others = std::getenv("PYTHONPATH");
   const std::string own = (programsFolder().parent_path() / "python3" / "dist-packages").string();
   setenv("PYTHONPATH", (others == nullptr ? own : own + ":" + others).c_str(), 1);
 }
 
-// Replaces this process by the program, whose exit status and signals then are its own.
+// Replaces this process by the program, so that the caller receives the exit status and signals of the program.
 int become(const std::string& name, char** arguments) {
   addPythonModule();
   const std::string program = programPath(name).string();

@@ -1,4 +1,4 @@
-// The node `simulate`: forces of rubber components for the displacements on their topics.
+// The node `simulate` publishes the forces of rubber components for the displacements on their topics.
 #include "command_line/command.h"
 #include "ros_interface/command_line.h"
 #include "ros_interface/simulate_node.h"

@@ -1,4 +1,4 @@
-// Exchange of a vehicle that steps at fixed times with the node, over the bundled topics.
+// Exchanges the displacements and forces of a vehicle with the node over the bundled topics, at fixed time steps.
 #pragma once
 
 #include <deque>
@@ -12,8 +12,8 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Exchange over either kind of bundle. The constructor waits for the node and calls its service `reset` unless the
-/// name is empty. Throws BundleError.
+/// Base class of the exchange over both kinds of bundles. The constructor waits for the node and calls its service
+/// `reset`, unless the name of the service is empty. Throws BundleError.
 template <class Client>
 class TopicExchange : public Exchange {
  public:
@@ -25,12 +25,12 @@ class TopicExchange : public Exchange {
   }
 
  protected:
-  static constexpr std::int64_t kFirstStamp = 1000000000;  // [ns]; many tools interpret 0 as "no stamp"
+  static constexpr std::int64_t kFirstStamp = 1000000000;  // [ns]; not 0, which many tools interpret as "no stamp"
 
   Client client_;
 };
 
-/// Components of six directions: poses and wrenches.
+/// Exchanges poses and wrenches of components with six directions.
 class PoseExchange final : public TopicExchange<ros_interface::PoseClient> {
  public:
   using TopicExchange::TopicExchange;
@@ -52,7 +52,7 @@ class PoseExchange final : public TopicExchange<ros_interface::PoseClient> {
   }
 };
 
-/// Struts: displacements and forces along the z axis of each.
+/// Exchanges displacements and forces of struts along their z axes.
 class StrutExchange final : public TopicExchange<ros_interface::BundleClient> {
  public:
   /// The struts must outlive this object.
@@ -62,7 +62,7 @@ class StrutExchange final : public TopicExchange<ros_interface::BundleClient> {
     std::vector<double> displacements;
     sent_.emplace_back(stamp, Poses());
     for (std::size_t i = 0; i < struts_.size(); ++i) {
-      // Converted to a quaternion and back, as for a component in the same process.
+      // Converts to a quaternion and back, with the same rounding as for a component in this process.
       const auto pose = component::poseOf(poses[i].translation(), Eigen::Quaterniond(poses[i].linear()));
       displacements.push_back(struts_[i].coordinates(pose)[component::kZ]);
       sent_.back().second.push_back(pose);

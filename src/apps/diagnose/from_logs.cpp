@@ -1,4 +1,4 @@
-// `diagnose` with measured logs, of one direction or of several.
+// Runs `diagnose` with measured logs of one direction or of several.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using namespace command_line;
 
 using Surveys = std::vector<diagnosis::prepare::LogSurvey>;
 
-// Logs to be diagnosed, which may be longer than memory, and the path of each.
+// The logs to be diagnosed, which may be larger than memory, and the path of each.
 struct OpenedLogs {
   std::vector<std::string> paths;
   log::LogSources sources;
@@ -45,7 +45,7 @@ OpenedLogs openLogs(const std::vector<std::string>& paths, const io::ComponentDe
 // The path of each log, and true if the log has a temperature.
 using Temperatures = std::vector<std::pair<std::string, bool>>;
 
-// Prints the notes of logs that were read, and appends their temperatures.
+// Prints the notes on the logs, and appends an entry for each log to `temperatures`.
 void printNotes(const OpenedLogs& logs, const Surveys& surveys, const io::ComponentDescription& component,
                 Temperatures& temperatures) {
   for (std::size_t i = 0; i < surveys.size(); ++i) {
@@ -55,7 +55,7 @@ void printNotes(const OpenedLogs& logs, const Surveys& surveys, const io::Compon
   }
 }
 
-// Effects of temperature are found only if all logs have a temperature.
+// Warns if only some logs have a temperature, because effects of temperature are found only if all logs have one.
 void warnOfSomeTemperatures(const Temperatures& temperatures) {
   const auto has = [](const auto& log) { return log.second; };
   const auto one = std::find_if(temperatures.begin(), temperatures.end(), has);
@@ -89,7 +89,7 @@ diagnosis::DiagnosisOptions settingsOf(const DiagnoseOptions& options) {
   return settings;
 }
 
-// Returns the component with the tolerances of the rig in the directions that are diagnosed.
+// Returns the component, with the tolerances of --rig in the directions that are to be diagnosed.
 io::ComponentDescription sixDirections(const DiagnoseOptions& options,
                                        const std::vector<component::Direction>& directions) {
   io::ComponentDescription component = options.component.readAny("diagnose");
@@ -122,7 +122,7 @@ std::vector<log::PoseLog> readPoseLogs(const std::vector<std::string>& paths, co
   return logs;
 }
 
-// Returns the component; throws UsageError if it has six directions.
+// Returns the component. Throws UsageError if it has six directions.
 io::ComponentDescription oneDirection(const DiagnoseOptions& options) {
   io::ComponentDescription component = options.component.readAny("diagnose");
   if (component.six) {

@@ -1,4 +1,4 @@
-// The options of `diagnose`, and functions that its kinds of runs share.
+// The options of `diagnose`, and functions that its different runs share.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,6 @@
 
 namespace rubber_suspension::apps {
 
-/// The options of the command line.
 struct DiagnoseOptions {
   std::vector<std::string> command_line;
   command_line::ComponentOptions component;
@@ -32,8 +31,8 @@ struct DiagnoseOptions {
   std::vector<std::string> plan;
   std::string table_path;
   std::vector<std::string> uncertainty;
-  double effect_size = 0.1;  // share of the force's standard deviation [-]
-  double noise = 0.005;      // share of the force's standard deviation [-]
+  double effect_size = 0.1;  // share of the standard deviation of the force [-]
+  double noise = 0.005;      // share of the standard deviation of the force [-]
   std::uint64_t most_samples = diagnosis::kMostSamples;
   int threads = 2;
   command_line::LogOptions log_options;
@@ -41,33 +40,33 @@ struct DiagnoseOptions {
   command_line::OptionTable table();
 };
 
-/// Returns the target of an option for a share such as "10 %" or 0.1, within these bounds.
+/// Returns the target of an option whose value is a share, such as "10 %" or 0.1, between `least` and `most`.
 command_line::Quantity share(double& value, double least, double most);
 
-/// Show and clear the progress, only on a terminal.
+/// These functions show and remove the progress. They do nothing unless stderr is a terminal.
 void showStage(const std::string& stage, double fraction);
 void clearStage();
 
-/// Returns version, date, command line and every file that is read.
+/// Returns the version, the date, the command line and the files that are read.
 diagnosis::RunRecord runRecord(const DiagnoseOptions& options);
 
-/// Applies the tolerances of --rig.
+/// Sets the tolerances of --rig in the component.
 void setTolerances(const std::vector<std::string>& assignments, io::ComponentDescription& component);
 
-/// Returns the line on excerpts for the terminal; empty if all samples were searched.
+/// Returns a line that states that only excerpts were searched; empty if all samples were searched.
 std::string excerptsTaken(const diagnosis::Diagnosis& diagnosis);
 
 std::optional<diagnosis::report::EarlierReport> earlierReport(const DiagnoseOptions& options);
 
-/// Warns if a report has no page, with the problem that writing it returned. Returns the path of the page, or else of
-/// the report's data.
+/// Prints `problem`, the reason why the report has no page, as a warning unless it is empty. Returns the path of the
+/// page, or the path of the data of the report if there is no page.
 std::string writtenReport(const std::string& folder, const std::string& name, const std::string& problem);
 
-/// Writes the report of a diagnosis and prints its summary.
+/// Writes the report of a diagnosis and prints its summary. Returns the exit status.
 int publish(diagnosis::Diagnosis diagnosis, const std::optional<diagnosis::report::EarlierReport>& earlier,
             const DiagnoseOptions& options);
 
-/// The kinds of runs; each returns the exit status.
+/// These functions run the different kinds of diagnosis and return the exit status.
 int runLogs(const DiagnoseOptions& options);
 int runDirections(const DiagnoseOptions& options);
 int runPlan(const DiagnoseOptions& options);

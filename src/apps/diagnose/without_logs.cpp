@@ -1,4 +1,4 @@
-// `diagnose` without logs: predicts what displacement programmes would show, and diagnoses measured tables.
+// Runs `diagnose` without logs: predicts what displacement programmes would show, or diagnoses a measured table.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ std::vector<log::Log> readLogs(const std::vector<std::string>& paths, const io::
   return logs;
 }
 
-// Combines the relative uncertainties of magnitude and phase of K*, which are orthogonal in the complex plane.
+// Combines the relative uncertainties of magnitude and phase of K*, which are perpendicular in the complex plane.
 std::optional<double> uncertaintyOf(const std::vector<std::string>& texts) {
   if (texts.empty()) {
     return std::nullopt;
