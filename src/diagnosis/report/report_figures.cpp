@@ -55,8 +55,7 @@ std::vector<std::size_t> worstRecords(const Diagnosis& diagnosis) {
                               record.force_deviation);
   };
   const auto first = order.begin() + static_cast<std::ptrdiff_t>(order.size() - diagnosis.workings->simulated.training);
-  std::sort(first == order.begin() ? order.begin() : first, order.end(),
-            [&](std::size_t a, std::size_t b) { return gap(a) > gap(b); });
+  std::sort(first, order.end(), [&](std::size_t a, std::size_t b) { return gap(a) > gap(b); });
   order.resize(std::min(order.size(), kMostLoops));
   return order;
 }
