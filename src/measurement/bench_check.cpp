@@ -1,4 +1,4 @@
-// Finds errors of a bench that explain its logs better than the component, and reports the likeliest one of each log.
+// Finds errors of a bench that explain its logs better than the component, and reports the likeliest error of a log.
 #include "rubber_suspension/measurement/bench_check.h"
 
 #include <fmt/format.h>
@@ -28,11 +28,11 @@ using Eigen::VectorXd;
 
 constexpr double kPeakToPeak = 2.0;
 constexpr double kFollows = 0.7;   // correlation of a force with one that explains it
-constexpr double kClearly = 0.35;  // of the variance, beyond what the expected force explains
-// Measured phases scatter by 45 degrees about those of an explanation: one nat is a distance 1 - cos of this much.
+constexpr double kClearly = 0.35;  // share of the variance that a better explanation adds
+// Distance 1 - cos that is one nat: measured phases scatter by 45 degrees about those of an explanation.
 constexpr double kOneNat = 0.3;
 
-// A factor between measured and configured stiffness, and the units whose confusion makes it, or its inverse.
+// A factor between measured and configured stiffness (or its inverse), and the units whose confusion causes it.
 struct UnitFactor {
   double factor;
   const char* units;
@@ -47,10 +47,10 @@ constexpr UnitFactor kUnitFactors[] = {
     {101.97, "kN and kgf"},         {224.8, "kN and lbf"},
 };
 
-// Returns the factor, of at least 1, between two numbers of one sign.
+// Returns the factor, at least 1, between two numbers of the same sign.
 double apart(double one, double other) { return std::exp(std::abs(std::log(one / other))); }
 
-// True for a factor that is larger than any effect makes.
+// Returns true if the factor is larger than any effect causes.
 bool isLarge(double factor) { return apart(factor, 1.0) > 90.0; }
 
 bool isAboutTwo(double ratio) {
@@ -58,8 +58,8 @@ bool isAboutTwo(double ratio) {
   return apart(apart(ratio, 1.0), kPeakToPeak) < kExactly;
 }
 
-// Returns the factor between two units that is nearest to a ratio. `of_large` and `of_small`: factors by which a ratio
-// may differ from a large and a small factor between units; nullopt if each differs by more.
+// Returns the factor between two units that is nearest to the ratio. The ratio may differ by `of_large` from a factor
+// above 90, and by `of_small` from a smaller one. Returns nullopt if it differs more from all factors.
 std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_small) {
   std::optional<UnitFactor> best;
   for (UnitFactor unit : kUnitFactors) {
@@ -72,23 +72,24 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
   return best;
 }
 
-// For assumed units: a large factor may be off by what effects do, a small one only by the specification's tolerance
-// and a little friction, or it would explain any other component.
+// For assumed units: a large factor may differ by as much as effects cause. A small factor may differ only by the
+// tolerance of the data sheet and a little friction; otherwise it would explain the log of any other component.
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
-// The factor by which a data sheet may be off without any effect: 1.4 standard deviations.
+// Tolerance of a data sheet: the factor of 1.4 standard deviations, by which it may be wrong without any effect.
 struct Sheet {
   explicit Sheet(double tolerance) : factor(std::exp(1.4 * tolerance)) {}
 
-  // Limits of the change that effects make to the stiffness of a whole log: friction raises it up to 3 times at small
-  // amplitude and 1.5 times over all amplitudes, progressive stiffness doubles it; softening, free play, heat and a
-  // series compliance lower it to a third. The tolerance of the data sheet comes on top.
+  // Smallest and largest ratio of stiffness of a whole log that effects cause: friction raises it up to 3 times at
+  // small amplitude and 1.5 times over all amplitudes, progressive stiffness doubles it; softening, free play, heat and
+  // a series compliance lower it to a third. The tolerance of the data sheet is added.
   double least() const { return 0.345 / factor; }
   double most() const { return 3.04 * factor; }
   bool plausible(double ratio) const { return ratio > least() && ratio < most(); }
   bool mayBe(double ratio) const { return apart(ratio, 1.0) < factor; }
 
-  // For named units, which are rarely wrong: a small factor may be off by the sheet's tolerance, a large one by half.
+  // For named units, which are rarely wrong: a small factor may differ by the tolerance of the data sheet, a large one
+  // by half.
   std::optional<UnitFactor> namedFactorOf(double ratio) const {
     return unitFactorOf(ratio, std::max(1.5, factor), factor);
   }
@@ -98,7 +99,7 @@ struct Sheet {
 
 const Sheet kUsualSheet(estimation::SheetTolerance::kUsual);
 
-// Simulates from rest, without the motion across, because orders of magnitude are checked.
+// Simulates from rest and without the transverse motion, which suffices to check orders of magnitude.
 VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const log::Record& record) {
   log::Record from_rest;
   from_rest.dt = record.dt;
@@ -106,7 +107,7 @@ VectorXd simulate(gap::LogDriver& component, const VectorXd& displacement, const
   return component.over(from_rest, displacement, gap::Before::nothing);
 }
 
-// The configured component. A contact, or any compliance of one side, yields to one sign of force alone.
+// The configured component. A contact, or any compliance of one side, deforms only under forces of one sign.
 struct Configured {
   Configured(std::vector<element::ElementDescription> elements, double tolerance)
       : component(elements), sheet(tolerance) {
@@ -126,11 +127,11 @@ struct Configured {
 
   gap::LogDriver component;
   Sheet sheet;
-  std::string contact;                   // type of the last such compliance; empty without any
-  std::optional<gap::LogDriver> turned;  // the component with such compliances on the other side
+  std::string contact;                   // type of the last compliance of one side; empty if there is none
+  std::optional<gap::LogDriver> turned;  // the component with these compliances on the other side
 };
 
-// Another cause of the same log: a delay changes the phase alone, a mass in fast motion lowers or reverses the
+// An effect with the same symptoms: a delay changes only the phase, a mass in fast motion lowers or reverses the
 // stiffness.
 enum class Likewise { nothing, delay, mass };
 
@@ -140,43 +141,43 @@ struct Explained {
 
   RigFinding finding;
   Likewise likewise;
-  double nats;  // evidence for an error of all logs
+  double nats;  // evidence for an error that all logs have
 };
 
 using Explanation = std::optional<Explained>;
 
-// Comparison of a log with the component.
+// Comparison of a log with the simulated force of the component.
 struct Shown {
   Configured& configured;
   const log::Record& record;
-  Explanation own = std::nullopt;  // the likeliest by this log alone
+  Explanation own = std::nullopt;  // likeliest explanation by this log alone
   VectorXd simulated = {};
   std::vector<Octave> octaves = {};
-  std::vector<Octave> expected = {};  // of the simulated force
+  std::vector<Octave> expected = {};  // spectrum of the simulated force
   Slope measured = {};
   Slope simulated_slope = {};
   double ratio = 0.0;
-  double force_correlation = 0.0;  // of measured and simulated force
-  double force_ratio = 0.0;        // of their standard deviations
+  double force_correlation = 0.0;  // correlation of measured and simulated force
+  double force_ratio = 0.0;        // standard deviation of the measured force over that of the simulated force
   double period = 0.0;             // samples per typical cycle
-  // Net work of the loops, over the largest possible: as recorded, and with the force brought forward or put back by
-  // the delay that channels may have.
+  // Net work of the loops over the largest possible work: as recorded, and with the force shifted forward or backward
+  // by a delay that channels may have.
   double work = 0.0;
   double work_forward = 0.0;
   double work_backward = 0.0;
   double work_deviation = 0.0;
 
-  // True if the displacement explains half of the force's variance.
+  // Returns true if the displacement explains half of the variance of the force.
   bool isElastic() const { return measured.correlation * measured.correlation > 0.5; }
   bool falls() const { return isElastic() && measured.stiffness < 0.0 && simulated_slope.correlation > 0.0; }
   bool rises() const { return isElastic() && measured.stiffness > 0.0; }
-  // Sampling may change a loop's work by a hundredth of the largest possible, rounding by a thousand millionth.
+  // Sampling may change the work of a loop by a hundredth of the largest possible work.
   double leastWork() const { return std::max(3.0 * work_deviation, 0.01); }
   bool givesEnergy() const { return work_forward < -leastWork(); }
   bool takesEnergy() const { return work_forward > leastWork() || work > std::max(3.0 * work_deviation, 1e-9); }
 
-  // Returns the factor by which the measured force is too large if all else is right; nullopt if there is none. For a
-  // damper, a factor that effects can cause does not count.
+  // Returns the factor by which the measured force is too large if nothing else is wrong. Returns nullopt if no factor
+  // is credible; for a damper, only a factor above 90 is.
   std::optional<double> scale() const {
     if (isElastic()) {
       return simulated_slope.stiffness > 0.0 && measured.stiffness > 0.0 ? std::optional(ratio) : std::nullopt;
@@ -186,7 +187,7 @@ struct Shown {
 
   bool isScaled() const { return !own && scale() && record.units != log::UnitsAre::accepted; }
 
-  // Returns the log-likelihood of the measured phases [nat] if `phase` maps the expected ones to them.
+  // Returns the log-likelihood [nat] of the measured phases if `phase` maps the expected phases to them.
   template <class Phase>
   double nats(Phase phase) const {
     return -phaseDistance(octaves, expected, phase) / kOneNat;
@@ -202,7 +203,7 @@ RigFinding fatal(const std::string& log, const char* finding, double value, cons
   return {log, finding, value, {value, value}, unit, true, true, fmt::format(text, std::forward<Values>(values)...)};
 }
 
-// `remedy`: how the unit can be named, if not by an option.
+// `remedy`: how to name the unit; empty for the option.
 RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit, std::string remedy = "") {
   if (remedy.empty()) {
     remedy = fmt::format(
@@ -253,11 +254,11 @@ RigFinding swapFinding(const Shown& log) {
       log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
 }
 
-// True if a constant force may be that of an open contact: it is the smallest, at displacements beyond all that have
-// more force.
+// Returns true if a constant force may be that of an open contact: it is the smallest force, and its displacements lie
+// beyond all displacements with a larger force.
 bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
   const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin).array(); };
-  const double still = 0.01 * rangeOf(record.force);  // twice the range of a part at rest
+  const double still = 0.01 * rangeOf(record.force);  // twice the range of a part that is at rest
   for (const double side : {1.0, -1.0}) {
     const Eigen::ArrayXd more = side * (record.force.array() - part(record.force).mean());
     const double nearest = (more > still).select(side * record.displacement.array(), HUGE_VAL).minCoeff();
@@ -268,10 +269,10 @@ bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
   return false;
 }
 
-// Finds a channel that measured nothing, in all or a part of the log.
+// Finds a channel that measured nothing in the log or in a part of it.
 Explanation deadChannel(const Shown& log) {
-  constexpr double kAsMuch = 0.5;   // of the force's deviation in the rest of the log
-  constexpr double kFarther = 0.8;  // of the displacement's deviation: less may be within a free play
+  constexpr double kAsMuch = 0.5;   // share of the force's deviation in the rest of the log
+  constexpr double kFarther = 0.8;  // share of the displacement's deviation; a smaller motion may be within a free play
   const log::Record& record = log.record;
   for (const bool is_force : {false, true}) {
     const VectorXd& channel = is_force ? record.force : record.raw_displacement;
@@ -305,7 +306,7 @@ Explanation tooShort(const Shown& log) {
   const VectorXd step = (record.displacement.tail(count - 1) - record.displacement.head(count - 1)).cwiseAbs();
   const Index moving = (step.array() > 0.01 * rmsOf(step)).count();
   if (moving < kFewestMoving) {
-    // A longer log does not help if a step is held, as in relaxation or creep.
+    // A longer log does not help if the displacement rests after a step, as in relaxation or creep.
     const bool held = 2 * moving < count;
     return fatal(record.name, finding::kTooShort, static_cast<double>(moving), "1",
                  "{} samples in motion are too few; accepted: at least {}: {}", moving, kFewestMoving,
@@ -323,7 +324,7 @@ Explanation tooShort(const Shown& log) {
   return std::nullopt;
 }
 
-// Finds a channel that follows the magnitude of the other rather than the other itself.
+// Finds a channel that follows the magnitude of the other channel rather than its signed value.
 Explanation rectified(const Shown& log) {
   const double of_force = correlationOf(log.record.force, log.simulated.cwiseAbs());
   const VectorXd magnitude = (log.record.force.array() - log.record.force.mean()).abs();
@@ -340,9 +341,9 @@ Explanation rectified(const Shown& log) {
   return std::nullopt;
 }
 
-// Finds a force of small noise alone, which follows neither the displacement nor, as friction does, its direction.
+// Finds a force that is small noise and follows neither the displacement nor, as friction does, its direction.
 Explanation silent(const Shown& log) {
-  constexpr double kNothing = 0.05;    // of the simulated force
+  constexpr double kNothing = 0.05;    // share of the simulated force
   constexpr double kUnrelated = 0.15;  // correlation
   const log::Record& record = log.record;
   const Index count = record.size();
@@ -361,7 +362,7 @@ Explanation silent(const Shown& log) {
                record.force_deviation, 100.0 * log.force_ratio);
 }
 
-// Returns the length unit over the force unit, in SI, with which the log fits this component with exchanged columns.
+// Returns the SI length unit over the SI force unit with which the log fits this component with exchanged columns.
 std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& record, const Sheet& sheet) {
   for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {
     const VectorXd displacement = units * record.force;
@@ -375,14 +376,14 @@ std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& 
   return std::nullopt;
 }
 
-// True if the log fits this component with exchanged columns, in any units, and its loops do not contradict that.
+// Returns true if the log fits this component with exchanged columns in any units, and its loops allow this.
 bool looksSwapped(const Shown& log) {
   return log.work_forward <= 3.0 * log.work_deviation &&
          unitsOfSwap(log.configured.component, log.record, log.configured.sheet);
 }
 
-// True if the phases are rather those of a mass that reverses the stiffness at the log's mean frequency, but not in
-// slow motion; the mass has a prior of one nat.
+// Returns true if the phases fit a mass better than a reversed sign. The mass reverses the stiffness at the log's mean
+// frequency, but not in slow motion; its prior is one nat.
 bool isTurnedAsByMass(const Shown& log) {
   std::vector<Octave> with_mass = log.expected;
   for (Octave& octave : with_mass) {
@@ -394,8 +395,8 @@ bool isTurnedAsByMass(const Shown& log) {
 }
 
 // Finds a force that falls where the displacement rises, with loops that create energy for any delay of the channels.
-// If a spring has hardly any loss, its work is inconclusive: its force then has to be the simulated one with the other
-// sign, of any size, because the stiffness may be a guess, or its unit wrong.
+// The work is inconclusive for a spring with hardly any loss. Its force then has to be the simulated force with the
+// opposite sign, of any size, because the configured stiffness may be a guess or have a wrong unit.
 Explanation reversedSign(const Shown& log) {
   const bool gives = log.work_backward < -log.leastWork();
   if (!log.falls() || (!gives && (log.takesEnergy() || log.force_correlation > -0.9))) {
@@ -404,15 +405,15 @@ Explanation reversedSign(const Shown& log) {
   return Explained(signFinding(log), isTurnedAsByMass(log) ? Likewise::mass : Likewise::nothing, gives ? 1.0 : 0.0);
 }
 
-// Finds exchanged columns by the stiffness. A wrong unit of the same factor is the simpler cause unless the loops
-// create energy.
+// Finds exchanged columns from the stiffness. A wrong unit of the same factor is preferred unless the loops create
+// energy.
 Explanation exchangedSizes(const Shown& log) {
   const bool ask = log.rises() && log.simulated_slope.stiffness > 0.0 && !log.configured.sheet.plausible(log.ratio) &&
                    (!assumedFactorOf(log.ratio) || log.givesEnergy());
   return ask && looksSwapped(log) ? Explanation(swapFinding(log)) : std::nullopt;
 }
 
-// Finds a wrong unit where units are assumed; a mass makes a log too soft by less than a power of ten.
+// Finds a wrong unit if units are assumed. A mass may also make the stiffness too low, by less than a factor of ten.
 Explanation assumedUnit(const Shown& log) {
   const auto scale = log.scale();
   const bool ask = log.record.units == log::UnitsAre::assumed && scale && !log.configured.sheet.plausible(*scale);
@@ -424,8 +425,8 @@ Explanation assumedUnit(const Shown& log) {
   return Explained(unitFinding(log.record.name, *scale, *unit), soft ? Likewise::mass : Likewise::nothing);
 }
 
-// Returns the likeliest delay of the force, early or late, from `least_share` to three quarters of a typical period:
-// samples, and nats less the one for a free number.
+// Returns the likeliest delay of the force [samples] and its log-likelihood [nat], less one nat for the free parameter.
+// The delay, of either sign, is from `least_share` to three quarters of a typical period.
 std::pair<double, double> bestDelay(const Shown& log, double least_share) {
   std::pair<double, double> best = {0.0, -HUGE_VAL};
   for (int i = -30; i <= 30; ++i) {
@@ -437,23 +438,23 @@ std::pair<double, double> bestDelay(const Shown& log, double least_share) {
   return best;
 }
 
-// Explains loops that create energy at a plausible stiffness: by sign, columns or delay, whichever is likeliest by the
-// measured phases.
+// Explains loops that create energy at a plausible stiffness by a reversed sign, exchanged columns or a delay,
+// whichever is likeliest given the measured phases.
 Explanation turnedPhases(const Shown& log) {
   if (log.falls() || !log.givesEnergy() || (log.scale() && !log.configured.sheet.plausible(*log.scale()))) {
     return std::nullopt;
   }
-  // Friction or damping far exceeds the configured one, so that the expected phases do not apply; only a reversed sign
-  // makes it create energy.
+  // Friction or damping far exceeds the configured values, so that the expected phases do not apply. Only a reversed
+  // sign makes friction or damping create energy.
   if (!log.isElastic() && !log.configured.sheet.plausible(log.force_ratio)) {
     return signFinding(log);
   }
-  // As stiff as configured, and not with exchanged columns: only a delay is left, however short. Delays within the
-  // range of the effect time_delay are left to the diagnosis.
+  // If the stiffness is as configured and exchanged columns do not fit, only a delay remains, however short. Delays
+  // within the range of the effect time_delay are not reported here.
   constexpr double kMostBehind = 15.0;     // samples, or
   constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
   constexpr double kMostAhead = 4.0;       // samples
-  constexpr double kClearlyLate = 0.124;   // of a period, where the sign or the columns may be wrong as well
+  constexpr double kClearlyLate = 0.124;   // share of a period above which a delay competes with sign and columns
   const bool as_stiff = log.isElastic() && log.configured.sheet.plausible(log.ratio);
   const bool only_delay = as_stiff && !looksSwapped(log);
   const auto [delay, late] = bestDelay(log, only_delay ? 0.0 : kClearlyLate);
@@ -473,8 +474,8 @@ Explanation turnedPhases(const Shown& log) {
   return Explained{sign > swap ? signFinding(log) : swapFinding(log), as_stiff ? Likewise::delay : Likewise::nothing};
 }
 
-// Finds a force that fits the component with its contact on the other side. As configured the contact is open where the
-// log has a force, so this is checked first.
+// Finds a force that fits the component with its contact on the other side. This is checked first, because the
+// configured contact is open where the log has a force.
 Explanation turnedContact(const Shown& log) {
   if (!log.configured.turned) {
     return std::nullopt;
@@ -493,7 +494,7 @@ Explanation turnedContact(const Shown& log) {
       log.configured.contact, as_turned, as_configured);
 }
 
-// Compares a log with the component; both channels have to change.
+// Compares a log with the component. Both channels have to vary.
 void compare(Shown& log) {
   constexpr double kForward = 1.5;        // samples; a smaller delay between channels is no fault of a bench
   constexpr double kLargestShare = 0.02;  // of a cycle
@@ -514,7 +515,7 @@ void compare(Shown& log) {
   log.expected = CrossSpectrum(record.displacement, log.simulated).octaves();
 }
 
-// Returns the first of these explanations that holds.
+// Returns the first explanation that is found.
 Explanation firstOf(std::initializer_list<Explanation (*)(const Shown&)> explanations, const Shown& log) {
   for (const auto& explain : explanations) {
     if (Explanation found = explain(log)) {
@@ -524,8 +525,8 @@ Explanation firstOf(std::initializer_list<Explanation (*)(const Shown&)> explana
   return std::nullopt;
 }
 
-// A fault of a channel excludes all other explanations; exchanged columns come before units and phases, because their
-// loops create energy, too.
+// A fault of a channel excludes all other explanations. Exchanged columns are checked before units and phases, because
+// they also make the loops create energy.
 Shown shownBy(const log::Record& record, Configured& configured) {
   Shown log{configured, record};
   log.own = firstOf({turnedContact, deadChannel, tooShort}, log);
@@ -553,7 +554,7 @@ struct Bench {
     }
   }
 
-  double nats = 0.0;                 // evidence for an error of all logs
+  double nats = 0.0;                 // evidence for an error that all logs have
   double fastest_right = 0.0;        // highest mean frequency of a log with the right sign [Hz]
   std::vector<const Shown*> scaled;  // logs whose scale is judged
 };
@@ -562,12 +563,12 @@ double medianScale(const std::vector<const Shown*>& logs) {
   return medianOf(element::each(logs, [](const Shown* log) { return *log->scale(); }));
 }
 
-// Finds one factor in all logs, whose force is otherwise like the configured one; or a large factor, which no effect
-// makes, in one log among others that are plausible.
+// Finds one factor in all logs whose force is otherwise similar to the simulated one; or, in one log, a factor above
+// 90, which no effect causes, if other logs are plausible.
 std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Shown*>& logs) {
-  constexpr double kOne = 1.5;         // between two logs, by their frequency and amplitude
-  constexpr double kLike = 0.8;        // correlation
-  constexpr double kJustLike = 0.995;  // for a factor that a wrong specification may make as well
+  constexpr double kOne = 1.5;         // factor between two logs due to their frequency and amplitude
+  constexpr double kLike = 0.8;        // correlation with the simulated force
+  constexpr double kJustLike = 0.995;  // correlation for a factor that a wrong data sheet may also cause
   const Sheet& sheet = log.configured.sheet;
   const std::string& name = log.record.name;
   const double scale = *log.scale();
@@ -591,10 +592,10 @@ std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Show
   return unit && isLarge(unit->factor) ? std::optional(unitFinding(name, scale, *unit)) : std::nullopt;
 }
 
-// Returns the likeliest explanation of a log, by all logs; nullopt if effects explain it as well. A reversed sign,
-// exchanged columns or a wrong unit affect all logs of a bench: each log that shows one is a nat for them, each right
-// log a nat against them, and a reversed spring without loss neither. A mass reverses or softens the fastest logs
-// alone.
+// Returns the likeliest explanation of a log given all logs; nullopt if an effect explains it as well. A reversed sign,
+// exchanged columns or a wrong unit affect all logs of a bench. So each log that shows one of them counts one nat for
+// it, each right log one nat against it, and a reversed spring without loss nothing. A mass reverses or softens only
+// the fastest logs.
 std::optional<RigFinding> explanationOf(const Shown& log, const Bench& bench) {
   if (log.own) {
     const bool effect = log.own->likewise == Likewise::delay ||
@@ -604,7 +605,7 @@ std::optional<RigFinding> explanationOf(const Shown& log, const Bench& bench) {
   return log.isScaled() ? scaleOf(log, bench.scaled) : std::nullopt;
 }
 
-// Brings the force forward by some samples, and removes the ends that have no partner.
+// Shifts the force forward by some samples, and removes the samples at the ends that then have no partner.
 void bringForward(Index samples, log::Record& record) {
   const Index count = record.size() - std::abs(samples);
   record.force = VectorXd(record.force.segment(std::max<Index>(samples, 0), count));

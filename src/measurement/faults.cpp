@@ -17,20 +17,20 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr Index kLongestSpike = 2;   // samples
-constexpr double kSpikeLimit = 6.0;  // deviations from the prediction; beyond chance in any log, and in 1/f noise
-// A larger share of spikes is the form of the signal itself rather than a fault of a cable.
+constexpr double kSpikeLimit = 6.0;  // standard deviations from the prediction; beyond chance, also in 1/f noise
+// If more samples are spikes, they are part of the signal rather than a fault of a cable.
 constexpr double kMostSpikes = 0.01;
-// A peak that lacks a fifth of a sine's samples lacks a tenth of its range: stiffness and loss at the largest amplitude
-// cannot be determined.
+// If a sine lacks a fifth of its samples at a peak, it lacks a tenth of its range. Stiffness and loss at the largest
+// amplitude can then not be determined.
 constexpr double kLargestClippedShare = 0.2;
 constexpr double kRare = 4.6;      // -ln of the probability, 1 %, that chance imitates a mass
-constexpr Index kScaleBlock = 64;  // samples over which the scatter is constant
-constexpr Index kAround = 6;       // samples about a spike that do not count as another visit
+constexpr Index kScaleBlock = 64;  // samples over which the scatter is assumed constant
+constexpr Index kAround = 6;       // samples about a spike that belong to the same visit of a displacement
 constexpr Index kMostVisits = 1000;
 constexpr double kOddsOfSpike = 9.0;
-constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // share of visits with a corner; a spike has five of them
+constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // share of visits with a corner; one spike causes five
 
-// Share of the samples that equal the preceding one, except at extremes and in long runs.
+// A noisy channel repeats less than this share of its samples, except at its extremes and in long runs.
 constexpr double kFewRepeats = 0.02;
 double repeats(const VectorXd& samples) {
   constexpr Index kLong = 4;
@@ -46,8 +46,8 @@ double repeats(const VectorXd& samples) {
   return static_cast<double>(equal) / static_cast<double>(samples.size());
 }
 
-// Returns the standard deviation about each of `count` samples of a statistic that exists from `first` to `last`, by
-// its median magnitude in blocks of `length`.
+// Returns the standard deviation, at each of `count` samples, of a statistic that is defined from `first` to `last`,
+// computed from its median magnitude in blocks of `length` samples.
 template <class Statistic>
 VectorXd scaleAbout(Statistic statistic, Index first, Index last, Index count, Index length, double least) {
   std::vector<double> all;
@@ -75,14 +75,14 @@ VectorXd scaleAbout(Statistic statistic, Index first, Index last, Index count, I
 struct Channel {
   Channel(const VectorXd& samples, bool of_force);
 
-  // Difference of the mean of one or two samples from the cubic through two neighbours at either side.
+  // Returns the mean of one or two samples minus the cubic through the two neighbours on either side.
   double deviation(Index i, Index width) const {
     const double beside = values[i - 1] + values[i + width];
     const double beyond = values[i - 2] + values[i + width + 1];
     return width == 1 ? values[i] - (4.0 * beside - beyond) / 6.0
                       : 0.5 * (values[i] + values[i + 1]) - 0.75 * beside + 0.25 * beyond;
   }
-  // Returns the largest of these at a sample, signed; 0 if all are within `limit` standard deviations.
+  // Returns the largest deviation at a sample, with its sign; 0 if all are within `limit` standard deviations.
   double corner(Index i, double limit = kSpikeLimit) const {
     double largest = 0.0;
     for (Index width = 1; width <= kLongestSpike && i >= 2 && i + width + 1 < values.size(); ++width) {
@@ -103,9 +103,9 @@ struct Channel {
   double lowest;
   double range;
   double step;            // smallest step between samples
-  bool noisy;             // its values hardly ever repeat, except at its extremes
+  bool noisy;             // values hardly ever repeat, except at the extremes
   VectorXd scale;         // standard deviation of the deviation of one sample
-  VectorXd scale_of_two;  // that of two samples
+  VectorXd scale_of_two;  // standard deviation of the deviation of two samples
 };
 
 Channel::Channel(const VectorXd& samples, bool of_force)
@@ -117,8 +117,8 @@ Channel::Channel(const VectorXd& samples, bool of_force)
       step(smallestStep(samples)),
       noisy(repeats(samples) < kFewRepeats),
       scale(samples.size()) {
-  // A log that is at rest for most of the time has no scatter, so the scale is at least a hundred thousandth of the
-  // range, and one step of the sensor.
+  // A log that is mostly at rest has no scatter. The scale is therefore at least 1e-5 of the range, and one step of the
+  // sensor.
   const double least = std::max(1e-5 * range, std::min(step, 0.01 * range));
   const auto scale_for = [&](Index width) {
     return scaleAbout([&](Index i) { return deviation(i, width); }, 2, values.size() - width - 1, values.size(),
@@ -128,16 +128,16 @@ Channel::Channel(const VectorXd& samples, bool of_force)
   scale_of_two = scale_for(2);
 }
 
-// A run of samples [begin, begin + width) and how far it stands out.
+// A run of samples [begin, begin + width) that stands out from its neighbours like a spike.
 struct Hole {
   Index begin;
   Index width;
-  double size;        // of the sample that stands out most, signed
-  double prediction;  // of that sample, from its neighbours
+  double size;        // deviation of the sample that stands out most, with its sign
+  double prediction;  // value of that sample predicted from its neighbours
 };
 
-// Returns how far samples exceed three straight lines through their neighbours (left, right and between both), if the
-// signs agree and the lines are closer to each other than that: a step or a kink lies on one of the lines.
+// Returns how far samples exceed three straight lines through their neighbours (left, right and across), if they do so
+// with one sign and by more than the lines differ. A step or a kink lies on one of the lines.
 std::optional<Hole> holeAt(const VectorXd& x, Index begin, Index width) {
   if (begin < 2 || begin + width + 1 >= x.size()) {
     return std::nullopt;
@@ -180,11 +180,11 @@ std::optional<Hole> spikeAt(const Channel& channel, Index begin) {
   return std::nullopt;
 }
 
-// Least sharpness, relative to a hole, of a corner that may have caused it. Corners appear less sharp by up to this
-// factor where samples miss them, or where the force is steeper than elsewhere.
+// Least sharpness, relative to a spike, of a corner that may have caused it. A corner appears less sharp by up to this
+// factor where samples miss it, or where the force is steeper than elsewhere.
 constexpr double kAlike = 0.2;
 
-// True if a corner is due to a spike at another place than the hole: samples beside a spike have corners as well.
+// Returns true if a corner is due to another spike than `hole`, because samples beside a spike have corners, too.
 bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
   for (Index i = corner - 2; i <= corner + kLongestSpike + 1; ++i) {
     const bool elsewhere = i < hole.begin - 1 || i > hole.begin + hole.width;
@@ -195,7 +195,7 @@ bool isOfAnotherSpike(const Channel& channel, Index corner, const Hole& hole) {
   return false;
 }
 
-// True if the other channel has a corner there that may have caused the hole, such as the end of a ramp or a blow.
+// Returns true if the other channel has a corner nearby that may have caused the hole, as at the end of a ramp.
 bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) {
   for (Index i = std::max<Index>(0, hole.begin - 1); i <= hole.begin + hole.width; ++i) {
     if (std::abs(other.corner(i)) / other.range > kAlike * std::abs(hole.size) / channel.range &&
@@ -206,8 +206,8 @@ bool cornerNear(const Channel& channel, const Channel& other, const Hole& hole) 
   return false;
 }
 
-// Peaks of the force that a mass makes where the speed of the displacement jumps. Noise may hide the jumps between two
-// samples, so they are measured as changes of slope over many.
+// Peaks of the force that a mass causes where the speed of the displacement jumps. Noise may hide a jump between two
+// samples, so jumps are measured as changes of slope over many samples.
 class Mass {
  public:
   Mass(const Channel& force, const VectorXd& z, const std::vector<Hole>& holes)
@@ -240,15 +240,15 @@ class Mass {
     fit(deviation, holes);
   }
 
-  // True if the jump at a hole is more than half of that of the mass.
+  // Returns true if the jump at a hole is more than half of the jump that the mass needs for it.
   bool explains(const Hole& hole) const {
     const Index at = middleOf(hole);
     return jump_[at] / (peakAt(at) * jump_over_peak_) > 0.5;
   }
 
  private:
-  static constexpr Index kReach = 64;  // samples around a jump in which it shows at most
-  static constexpr Index kBeside = 3;  // samples to which the place of a jump is known
+  static constexpr Index kReach = 64;  // samples around a jump that show it at most
+  static constexpr Index kBeside = 3;  // samples within which the time of a jump is known
 
   static Index middleOf(const Hole& hole) { return hole.begin + (hole.width - 1) / 2; }
 
@@ -261,8 +261,8 @@ class Mass {
     return peak;
   }
 
-  // Fits one mass to all holes and to all significant jumps. It has to explain more than half of both, and to be
-  // unlikely by chance.
+  // Fits one mass to all holes and to all significant jumps. The mass is accepted only if it explains more than half of
+  // the holes and of the jumps, and if chance is unlikely to do so.
   void fit(const VectorXd& deviation, const std::vector<Hole>& holes) {
     double product = 0.0;
     double peaks = 0.0;
@@ -292,19 +292,19 @@ class Mass {
   }
 
   const Channel& force_;
-  VectorXd jump_;                     // of the slope of the displacement [per sample]
-  double jump_over_peak_ = HUGE_VAL;  // of the mass; infinite without any, so that nothing is explained
+  VectorXd jump_;                     // jump of the slope of the displacement [per sample]
+  double jump_over_peak_ = HUGE_VAL;  // ratio for the mass; infinite without a mass, so that it explains nothing
 };
 
-// True if a corner at or beside a sample is as sharp as a hole is deep, and to the same side.
+// Returns true if a corner at or beside a sample is about as sharp as a hole is deep, with the same sign.
 bool alikeAt(const Channel& channel, Index i, const Hole& hole) {
   const auto sharp = [&](Index at) { return channel.corner(at) / hole.size > kAlike; };
   return sharp(i - 1) || sharp(i) || sharp(i + 1);
 }
 
-// True if the force also has such corners at other visits to the same displacement at a similar speed, as at a bump
-// stop or in a clearance. The share of visits with a corner has any value if they belong to the place, and is small
-// beside spikes. The prior of a spike is 0.9.
+// Returns true if the force has similar corners at other visits to the same displacement at a similar speed, as at a
+// bump stop or in a clearance. The share of visits with a corner is arbitrary if corners belong to the displacement,
+// and small if they are spikes. The prior of a spike is 0.9.
 bool belongsToThePlace(const Channel& channel, const Channel& other, const Hole& hole) {
   const VectorXd& z = other.values;
   const auto step = [&](Index i) { return z[i + 2] - z[i - 2]; };
@@ -397,8 +397,8 @@ double rangeWithin(const VectorXd& values, const Run& run) {
   return rangeOf(values.segment(run.begin, run.end - run.begin));
 }
 
-// True if the other channel turns within `reach` samples of a run's end, or moves less than its scatter: a force at the
-// limit of friction changes there, too.
+// Returns true if the other channel turns within `reach` samples of the end of a run, or moves by less than its
+// scatter, because a force at the limit of friction changes there, too.
 bool turnsAtEnd(const VectorXd& other, const Run& run, Index reach, double scatter) {
   const Index last = run.end - 1;
   if (last < reach || last + reach >= other.size()) {
@@ -409,7 +409,7 @@ bool turnsAtEnd(const VectorXd& other, const Run& run, Index reach, double scatt
   return before * after <= 0.0 || std::min(std::abs(before), std::abs(after)) < scatter;
 }
 
-// True if a force with noise repeats while the displacement moves.
+// Returns true if a noisy force repeats one value while the displacement moves.
 bool repeatsAgainstNoise(const Channel& force, const Channel& displacement, const Run& run) {
   const double moved = rangeWithin(displacement.values, run);
   return force.noisy && moved > 0.005 * displacement.range && moved > kSpikeLimit * displacement.scale[run.begin];
@@ -432,12 +432,12 @@ bool atExtreme(const Channel& channel, const Run& run) {
   return value == channel.highest || value == channel.lowest;
 }
 
-// `mask`: false for spikes, at which a run may end.
+// Returns runs of held values. `mask`: false for spikes, at which a run may end.
 std::vector<Run> findHolds(const Channel& channel, const Channel& other, const Mask& mask) {
   std::vector<Run> held;
   for (const Run& run : equalRuns(channel.values, kShortestHold)) {
     if (atExtreme(channel, run) || run.end >= channel.values.size() || !mask[run.end]) {
-      continue;  // at the sensor's stop, perhaps
+      continue;  // the sensor may be saturated
     }
     if (isHeld(channel, other, run) || (channel.is_force && repeatsAgainstNoise(channel, other, run))) {
       held.push_back(run);
@@ -446,8 +446,8 @@ std::vector<Run> findHolds(const Channel& channel, const Channel& other, const M
   return held;
 }
 
-// Returns how far the other channel bulges outwards over a run: its middle third against the thirds at the ends. A
-// channel that relaxes towards a value bulges inwards.
+// Returns how far the other channel bulges outwards over a run: the mean of its middle third minus that of the outer
+// thirds. A channel that relaxes towards a value bulges inwards.
 double bulge(const VectorXd& other, const Run& run) {
   const Index length = run.end - run.begin;
   const Index third = std::max<Index>(1, length / 3);
@@ -461,7 +461,7 @@ struct Saturation {
   double limit = 0.0;
 };
 
-// Finds a channel at its stop: many samples are equal to its extreme, few lie just short of it, and meanwhile the other
+// Finds a saturated channel: many samples equal its extreme value, few lie just short of it, and meanwhile the other
 // channel goes further out and returns.
 std::optional<Saturation> findSaturation(const Channel& channel, const Channel& other, double outward) {
   Saturation found;
@@ -474,7 +474,7 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
     if (channel.values[run.begin] == found.limit) {
       const auto length = static_cast<double>(run.end - run.begin);
       found.samples += run.end - run.begin;
-      // If the other channel only passes by, as under friction at its limit, there is no bulge.
+      // If the other channel only passes through, as under friction at its limit, it does not bulge.
       const double passed = std::abs(other.values[run.end - 1] - other.values[run.begin]);
       const double size = outward * bulge(other.values, run);
       bulging += passed < 3.0 * std::abs(size) ? size * length : 0.0;
@@ -488,20 +488,20 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
   const double width = std::max(3.5 * channel.coarseStep(), 0.005 * channel.range);
   const auto distance = (outward * (found.limit - channel.values.array())).eval();
   const Index near = (distance > 0.0 && distance < width).count();
-  // An extremum that is merely rounded has as many samples on the three levels below it as on its own.
+  // A peak that is merely rounded has as many samples on the three levels below its extreme value as on this value.
   if (found.samples < 5 || found.samples <= 2 * near) {
     return std::nullopt;
   }
   // The sign is reversed if force and displacement have opposite signs.
   const double slope = (channel.values.array() - channel.values.mean()).matrix().dot(other.values);
   bulging *= slope < 0.0 ? -1.0 : 1.0;
-  // The bulge exceeds the scatter, and that of a peak that is cut at 1 % of the range.
+  // The bulge has to exceed the scatter and the bulge of a peak that is cut at 1 % of the range.
   const bool bulges =
       bulging > 4.0 * std::sqrt(variance) && bulging > 3e-3 * other.range * static_cast<double>(found.samples);
-  // The noise of a force vanishes at its stop, unlike that of friction at its limit all along a stroke.
+  // The noise of a saturated force vanishes, whereas that of friction at its limit continues along a stroke.
   const bool silent =
       channel.is_force && channel.noisy && travelled < 0.2 * other.range * static_cast<double>(found.samples);
-  // Friction leaves its limit where the displacement turns, a delayed force its stop between the turning points.
+  // Friction leaves its limit where the displacement turns; a delayed force leaves saturation between turning points.
   const bool behind = channel.is_force && 2 * in_motion > found.samples;
   return bulges || silent || behind ? std::optional<Saturation>(found) : std::nullopt;
 }
@@ -554,7 +554,7 @@ void addSaturation(const std::string& name, const Channel& channel, const Channe
     if (!found) {
       continue;
     }
-    // Samples just below the stop are excluded, too, because their noise is one-sided.
+    // Samples just below the limit are also excluded, because their noise is one-sided.
     mask = mask && (channel.scale.array() * kSpikeLimit < outward * (found->limit - channel.values.array()));
     const double share = static_cast<double>(found->samples) / static_cast<double>(mask.size());
     findings.push_back(counted(name, finding::kSaturation, static_cast<double>(found->samples),

@@ -1,4 +1,4 @@
-// The error of a model with Berg's friction by small reversals and by the time before a log.
+// The error of a model with Berg's friction due to small reversals and to unknown motion before a log.
 #include "measurement/friction_noise.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-// Returns Berg's friction of a model, its dead band (4 times the sensor's noise if it has none) times a factor.
+// Returns Berg's friction of a model with its dead band (if 0, 4 times the sensor's noise) multiplied by a factor.
 std::vector<element::ElementDescription> bergFriction(const std::vector<element::ElementDescription>& elements,
                                                       double noise, double dead_band_factor) {
   constexpr double kOfNoise = 4.0;
@@ -26,8 +26,8 @@ std::vector<element::ElementDescription> bergFriction(const std::vector<element:
   return result;
 }
 
-// Returns the record after a motion from the component's rest to a displacement and on to the record's first one. These
-// three places suffice, because Berg's friction depends on turning points and not on the rate.
+// Returns the record after a motion from rest to a displacement and on to the record's first one. These three points
+// suffice, because Berg's friction depends on turning points and not on the rate.
 log::Record cameFrom(log::Record record, double displacement) {
   record.lead_in = {record.dt, {0.0, displacement, record.displacement[0]}, false};
   return record;

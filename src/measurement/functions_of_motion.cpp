@@ -15,13 +15,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Hat functions at even distances over the range of a signal: at each value two of them are not 0.
+// Piecewise linear hat functions, evenly spaced over the range of a signal. At each value two of them differ from 0.
 class Hats {
  public:
   Hats(const VectorXd& signal, Index count)
       : low_(signal.minCoeff()), step_(rangeOf(signal) / static_cast<double>(count - 1)) {}
 
-  // Returns the index of the first of the two, and the value of the second.
+  // Returns the index of the first of these two functions, and the value of the second.
   std::pair<Index, double> at(double value) const {
     const double place = step_ > 0.0 ? (value - low_) / step_ : 0.0;
     const auto first = static_cast<Index>(place);
@@ -40,7 +40,7 @@ VectorXd stepsOf(const VectorXd& displacement) {
   return steps;
 }
 
-// Hat functions of the displacement on the way up, on the way down, and of the speed.
+// Hat functions of the displacement while it rises, of the displacement while it falls, and of the speed.
 class Columns {
  public:
   Columns(const VectorXd& displacement, Index count)
@@ -52,7 +52,7 @@ class Columns {
 
   Index size() const { return 3 * each_; }
 
-  // Returns the four that are not 0 at a sample, with their values.
+  // Returns the four functions that differ from 0 at a sample, with their values.
   std::array<std::pair<Index, double>, 4> at(Index sample) const {
     const auto [place, share] = of_displacement_.at(displacement_[sample]);
     const auto [pace, further] = of_speed_.at(speed_[sample]);
@@ -72,7 +72,7 @@ class Columns {
   Index each_;
 };
 
-// Returns the number of hat functions of each kind that a log determines: one for two cycles, and of all kinds one for
+// Returns the number of hat functions of each kind that a log can determine: one for two cycles, and in total one for
 // 50 samples, so that they absorb at most some percent of the noise.
 Index tellable(const log::Record& record, const Mask& mask) {
   constexpr double kKinds = 3.0;
@@ -96,7 +96,7 @@ VectorXd weightsOf(const Columns& columns, const VectorXd& residual, const Mask&
       }
     }
   }
-  return numerics::solveLeastNorm(gram, moment);  // singular: each kind adds up to the same constant
+  return numerics::solveLeastNorm(gram, moment);  // singular: the functions of each kind add up to the same constant
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 
 namespace rubber_suspension::measurement {
 
-/// Removes from a residual [N] of a record piecewise linear functions of displacement, for each direction, and of
-/// speed, by least squares over the samples that count. Nonlinear stiffness and damping, stops, and most of friction
-/// are such functions. The number of functions depends on the length of the log, so that noise remains; for a few
-/// cycles there are none.
+/// Fits piecewise linear functions of displacement, for each direction, and of speed to a residual [N] by least squares
+/// over the samples that count, and returns the residual without them. Nonlinear stiffness and damping, stops, and most
+/// of friction are such functions. Their number depends on the length of the log, so that noise remains; a log of a few
+/// cycles has none.
 Eigen::VectorXd withoutFunctionsOfMotion(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 }  // namespace rubber_suspension::measurement

@@ -32,7 +32,7 @@ std::pair<double, double> jackknife(const std::vector<double>& energies, const s
   return {energy / scale, std::sqrt(variance * (count - 1.0) / count)};
 }
 
-// Lowest and highest value in a part of a log.
+// Lowest and highest value of a channel in a part of a log.
 struct Part {
   double low = 0.0;
   double high = 0.0;
@@ -46,7 +46,8 @@ std::vector<Part> partsOf(const VectorXd& values, Index length) {
   return parts;
 }
 
-// Returns the number of swings of a signal without trend from beyond half of its deviation on one side to the other.
+// Returns the number of swings of a signal without trend from beyond half of its deviation to the same on the other
+// side.
 int swingsOf(const VectorXd& values, double deviation) {
   int swings = 0;
   double side = 0.0;
@@ -150,7 +151,7 @@ void CrossSpectrum::add(const VectorXd& displacement, const VectorXd& force) {
     Octave octave;
     double weighted = 0.0;
     for (std::size_t i = begin; i < std::min(end, z.size()); ++i) {
-      if (std::norm(z[i]) > 1e-3 * most) {  // excited: 30 dB below the highest line
+      if (std::norm(z[i]) > 1e-3 * most) {  // excited: less than 30 dB below the highest line
         octave.cross += std::conj(z[i]) * f[i];
         octave.power += std::norm(z[i]);
         weighted += static_cast<double>(i) * std::norm(z[i]);
@@ -164,7 +165,7 @@ void CrossSpectrum::add(const VectorXd& displacement, const VectorXd& force) {
 
 DeadPart deadPart(const VectorXd& channel, const VectorXd& other, double least_of_other) {
   constexpr Index kParts = 200;
-  constexpr double kStill = 0.005;  // of the range, for the noise of a sensor
+  constexpr double kStill = 0.005;  // share of the range; allows for the noise of a sensor
   constexpr int kFewestSwings = 4;
   const Index length = std::max<Index>(1, channel.size() / kParts);
   const std::vector<Part> parts = partsOf(channel, length);

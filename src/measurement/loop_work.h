@@ -10,19 +10,19 @@
 
 namespace rubber_suspension::measurement {
 
-/// Stiffness over a quarter and half of a typical cycle: median of the slopes between pairs of samples, which offsets,
-/// drifts, bump stops and spikes hardly affect.
+/// Stiffness from the median of slopes between samples that are a quarter or half of a typical cycle apart. Offsets,
+/// drifts, bump stops and spikes hardly affect it.
 struct Slope {
   double stiffness = 0.0;    ///< [N/m]
-  double correlation = 0.0;  ///< of both differences
+  double correlation = 0.0;  ///< correlation of the differences of force and displacement
 };
 
 Slope slopeOf(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-/// Returns 2 pi times a typical frequency, per sample: RMS step over standard deviation.
+/// Returns 2 pi times a typical frequency in cycles per sample: the RMS step over the standard deviation.
 double typicalPhase(const Eigen::VectorXd& displacement);
 
-/// Spectrum of displacement and force in one window over one octave, as far as the displacement is excited.
+/// Spectrum of displacement and force in one window over one octave, from the lines that the displacement excites.
 struct Octave {
   double frequency = 0.0;          ///< cycles per sample
   std::complex<double> cross = 0;  ///< conj(Z) F
@@ -34,8 +34,8 @@ class CrossSpectrum {
  public:
   CrossSpectrum(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-  /// Returns the net work of the loops, over the largest possible, with the force brought forward by some samples:
-  /// positive if they dissipate energy; and its standard deviation by the jackknife over windows.
+  /// Returns the net work of the loops over the largest possible work, with the force shifted forward by some samples,
+  /// and its standard deviation (jackknife over windows). The work is positive if the loops dissipate energy.
   std::pair<double, double> work(double forward) const;
 
   std::vector<Octave> octaves() const;
@@ -46,7 +46,7 @@ class CrossSpectrum {
   std::vector<std::vector<Octave>> windows_;
 };
 
-/// Returns the distance, 0 to 2, of measured phases from those of a hypothesis, weighted by |cross| times frequency.
+/// Returns the distance (0 to 2) between measured and hypothetical phases, weighted by |cross| times frequency.
 template <class Phase>
 double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octave>& simulated, Phase phase) {
   double distance = 0.0;
@@ -65,18 +65,18 @@ double phaseDistance(const std::vector<Octave>& measured, const std::vector<Octa
 /// A part of a log in which a channel stands still while the other continues as before.
 struct DeadPart {
   Eigen::Index begin = 0;
-  Eigen::Index end = 0;  ///< one past the last sample; equal to begin: there is none
+  Eigen::Index end = 0;  ///< one past the last sample; equal to `begin` if there is no such part
 };
 
-/// Returns the longest dead part of at least a tenth of the log. The other channel has to swing in it, unlike in a
-/// hold, by more than `least_of_other` of its deviation in the rest, unlike within a free play.
+/// Returns the longest part of at least a tenth of the log in which `channel` stands still while `other` swings, unlike
+/// in a hold, by more than `least_of_other` of its deviation in the rest of the log, unlike within a free play.
 DeadPart deadPart(const Eigen::VectorXd& channel, const Eigen::VectorXd& other, double least_of_other);
 
-/// Returns true if the force at a dead displacement is larger than hum, which continues in a hold: the part of the
-/// force that follows neither displacement nor rate in the rest of the log.
+/// Returns true if the force during a part with constant displacement exceeds hum, that is, the part of the force that
+/// follows neither displacement nor rate in the rest of the log and continues in a hold.
 bool isOfAMotion(const Eigen::VectorXd& force, const Eigen::VectorXd& displacement, const DeadPart& dead);
 
-/// Returns the correlation of two signals about their means; 0 if one does not change.
+/// Returns the correlation of two signals about their means; 0 if either does not vary.
 double correlationOf(const Eigen::VectorXd& one, const Eigen::VectorXd& other);
 
 }  // namespace rubber_suspension::measurement

@@ -23,18 +23,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kFewestRepeats = 100;  // samples, for a standard deviation known to 7 %
+constexpr Index kFewestRepeats = 100;  // samples, which determine a standard deviation to 7 %
 constexpr Index kShortestStop = 50;
-constexpr double kHarmonics = 3.0;  // of the motion, in a missing law
+constexpr double kHarmonics = 3.0;  // harmonics of the motion that a missing law excites
 
-// Returns the band of the motion, with the harmonics of friction and kinks, in cycles per sample.
+// Returns the band of the motion with the harmonics that friction and kinks excite, in cycles per sample.
 ExcludedBand motionBand(const log::Record& record) {
   const std::vector<SpectrumBand> bands = spectrumBands(record.displacement, Mask::Constant(record.size(), true));
   double total = 0.0;
   for (const SpectrumBand& band : bands) {
     total += band.density * band.width;
   }
-  ExcludedBand motion{0.0, 0.0};  // from 0: slow parts of the force are creep and heat, not noise
+  ExcludedBand motion{0.0, 0.0};  // from 0, because slow parts of the force are creep and heat, not noise
   double sum = 0.0;
   for (const SpectrumBand& band : bands) {
     sum += band.density * band.width;
@@ -63,16 +63,16 @@ std::vector<Index> upcrossings(const VectorXd& displacement) {
   return crossings;
 }
 
-// Second differences over three cycles, of force, displacement and speed.
+// Second differences over three cycles of force, displacement and speed.
 struct Differences {
   std::vector<double> force;
   std::vector<double> displacement;
   std::vector<double> speed;
-  double lag = 0.0;  // sum over all [samples]
+  double lag = 0.0;  // sum of all lags [samples]
 };
 
 bool hasRepeat(const VectorXd& z, Index begin, Index lag) {
-  constexpr double kSameMotion = 0.02;  // of the cycle's RMS
+  constexpr double kSameMotion = 0.02;  // share of the cycle's RMS
   if (begin + 3 * lag > z.size() || lag < 4) {
     return false;
   }
@@ -107,12 +107,12 @@ Differences secondDifferences(const log::Record& record, const Mask& mask) {
   return differences;
 }
 
-// Returns the share of the noise's variance that second differences at a lag keep, 1 for white noise.
+// Returns the variance of second differences at a lag, relative to that of white noise with the same variance.
 double keptShare(const NoiseModel& noise, double lag) {
   constexpr int kLines = 4000;
   double kept = 0.0;
   double all = 0.0;
-  for (int i = 0; i < kLines; ++i) {  // even on a log axis from one cycle in the log to half a cycle per sample
+  for (int i = 0; i < kLines; ++i) {  // evenly on a log axis, from one cycle in the log to half a cycle per sample
     const double lowest = 1.0 / static_cast<double>(noise.samples);
     const double frequency = lowest * std::pow(0.5 / lowest, (i + 0.5) / kLines);
     const double power = spectralDensity(noise, frequency) * frequency;
@@ -122,13 +122,13 @@ double keptShare(const NoiseModel& noise, double lag) {
   return kept / all;
 }
 
-// Returns the variance of noise, with its slow part limited to what a rig may add.
+// Returns the variance of noise, with the slow part limited to what a rig may add.
 double withSlowPart(double fast_variance, double slow_variance, double slow_noise) {
   return fast_variance + std::clamp(slow_variance, 0.0, slow_noise * slow_noise);
 }
 
-// Returns the power of single lines above the motion, such as hum, which a machine adds and which is no noise: the
-// excess of a band's mean over its level by the median, if the mean is far above.
+// Returns the power of single lines above the motion, such as hum, which are not noise: the excess of the mean of a
+// band over its level (from the median) if the mean is far above the level.
 double powerOfLines(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   constexpr double kFar = 3.0;
   const double motion = motionBand(record).high / kHarmonics;
@@ -141,19 +141,19 @@ double powerOfLines(const log::Record& record, const VectorXd& residual, const M
   return power;
 }
 
-// Removes lines, which are in the repeats as well unless they are harmonics of the motion.
+// Removes single lines, which second differences contain unless they are harmonics of the motion.
 double withoutLines(double deviation, const log::Record& record, const VectorXd& residual, const Mask& mask) {
   return std::sqrt(std::max(0.0, deviation * deviation - powerOfLines(record, residual, mask)));
 }
 
-// Returns the standard deviation of a residual, corrected for the degrees of freedom of the fits.
+// Returns the standard deviation for a sum of squares, corrected for the degrees of freedom of the fits.
 double unbiased(double square, Index count, Index freedom) {
   return std::sqrt(square / static_cast<double>(std::max<Index>(1, count - freedom)));
 }
 
-// Estimates the noise from repeats of the same cycle: second differences over three cycles, without the part that
-// differences of displacement and speed explain. Slow noise, which the differences remove, is added by the colour of
-// the residual's spectrum. 0 if fewer than 100 samples repeat.
+// Estimates the noise from second differences over three repeats of a cycle, without the part that differences of
+// displacement and speed explain. The differences remove slow noise, which is added again according to the spectrum of
+// the residual. Returns 0 if fewer than 100 samples repeat.
 double noiseFromRepeats(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
   const Differences differences = secondDifferences(record, mask);
   const auto count = static_cast<Index>(differences.force.size());
@@ -172,9 +172,9 @@ double noiseFromRepeats(const log::Record& record, const VectorXd& residual, con
   return std::sqrt(withSlowPart(fast, fast / kept - fast, slow_noise));
 }
 
-// Estimates the noise at standstill, without a quadratic trend of each stop. 0 if there is too little of it.
+// Estimates the noise at standstill, without the quadratic trend of each stop. Returns 0 if the stops are too short.
 double noiseFromStandstill(const log::Record& record, const Mask& mask) {
-  constexpr double kStill = 1e-6;  // of the range: a force from such a motion is far below any noise
+  constexpr double kStill = 1e-6;  // share of the range; the force of such a motion is far below any noise
   const VectorXd& z = record.displacement;
   const double still = kStill * rangeOf(z) + 4.0 * record.displacement_noise;
   double square = 0.0;
@@ -185,7 +185,7 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
     while (end < z.size() && mask[end] && std::abs(z[end] - z[begin]) < still) {
       ++end;
     }
-    // The first third, where the force relaxes fastest, is left out.
+    // The first third is skipped, because the force relaxes fastest there.
     const Index length = (end - begin) * 2 / 3;
     if (length >= kShortestStop) {
       MatrixXd trend(length, 3);
@@ -202,10 +202,10 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
   return count >= kFewestRepeats ? unbiased(square, count, freedom) : 0.0;
 }
 
-// Estimates the noise from the spectrum of a residual outside of the motion's band, extrapolated into it. 0 if too
-// little of the spectrum lies outside.
+// Estimates the noise from the spectrum of a residual outside of the motion's band, extrapolated into the band. Returns
+// 0 if too little of the spectrum lies outside.
 double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
-  constexpr double kFewestOutside = 0.1;  // cycles per sample, of 0.5 in all
+  constexpr double kFewestOutside = 0.1;  // cycles per sample; the whole spectrum has 0.5
   const ExcludedBand motion = motionBand(record);
   if (0.5 - motion.high < kFewestOutside) {
     return 0.0;
@@ -217,7 +217,7 @@ double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, co
   return std::sqrt(withSlowPart(fast, slow, slow_noise));
 }
 
-// Starts of the windows of a length that overlap by half and of whose samples more than half count.
+// Returns the starts of half-overlapping windows of `length` samples, more than half of which count.
 std::vector<Index> windowsOf(const Mask& mask, Index length) {
   std::vector<Index> starts;
   for (Index start = 0; start + length <= mask.size(); start += length / 2) {
@@ -228,7 +228,7 @@ std::vector<Index> windowsOf(const Mask& mask, Index length) {
   return starts;
 }
 
-// Power of a signal per sample that counts, window x octave of frequency.
+// Returns the power of a signal per sample that counts, for each window (row) and octave of frequency (column).
 ArrayXXd powerInWindows(const VectorXd& signal, const Mask& mask, const std::vector<Index>& starts, Index length) {
   const auto octaves = static_cast<Index>(std::log2(static_cast<double>(length))) - 1;
   ArrayXXd power(static_cast<Index>(starts.size()), octaves);
@@ -245,7 +245,7 @@ ArrayXXd powerInWindows(const VectorXd& signal, const Mask& mask, const std::vec
   return power;
 }
 
-// Returns the largest log-likelihood of normal values of any mean and of a variance between two.
+// Returns the largest log-likelihood of normal values with any mean and a variance from `least` to `most`.
 double likelihoodOf(const ArrayXd& values, double least, double most) {
   const double square = (values - values.mean()).square().mean();
   const double variance = std::clamp(square, least, most);
@@ -264,16 +264,16 @@ double noiseFloor(const log::Record& record, const VectorXd& residual, const Mas
   }
   floor = floor > 0.0 ? floor : by_spectrum > 0.0 ? by_spectrum : noiseFromStandstill(record, mask);
   floor = floor > 0.0 ? std::min(floor, left) : left;
-  // At least the rounding to a step of the sensor, and that of arithmetic.
+  // The floor is at least the rounding to a step of the sensor, and the rounding of arithmetic.
   return std::max({floor, smallestStep(record.force) / std::sqrt(12.0), 1e-12 * rangeOf(record.force)});
 }
 
 std::optional<double> evidenceOfNoise(const log::Record& record, const VectorXd& residual, const Mask& mask) {
   constexpr double kFewestWindows = 12.0;
   constexpr Index kShortestWindow = 32;
-  constexpr double kSeen = 2.0;     // times the power of white noise
-  constexpr double kEven = 0.3;     // standard deviation of the logarithm of a power that does not change
-  constexpr double kLeast = 1e-12;  // of the mean power: keeps logarithms finite
+  constexpr double kSeen = 2.0;     // multiple of the power of white noise
+  constexpr double kEven = 0.3;     // standard deviation of the logarithm of a constant power
+  constexpr double kLeast = 1e-12;  // share of the mean power; keeps logarithms finite
   Index length = 1;
   while (2.0 * kFewestWindows * static_cast<double>(length) <= static_cast<double>(mask.size())) {
     length *= 2;

@@ -21,18 +21,17 @@ using Eigen::VectorXd;
 constexpr Index kFewestSamples = 32;
 constexpr double kTimeConstantRatio = 4.0;
 constexpr std::size_t kHighestOrder = 20;  // of the filter
-// White noise that is assumed 30 dB below any filtered one: otherwise errors of a simulation between samples would have
-// a large weight near half of the sampling rate, where an anti-aliasing filter passes hardly any noise.
+// Power of white noise, relative to the filtered noise, that is always assumed. Otherwise errors of a simulation near
+// half of the sampling rate would have a large weight, because an anti-aliasing filter passes hardly any noise there.
 constexpr double kWhiteShare = 1e-3;
 
 // One first-order process of the 1/f part.
 struct SlowPart {
   double pole;      // per sample
-  double variance;  // as a share of the whole 1/f part
+  double variance;  // share of the variance of the 1/f part
 };
 
-// Returns processes with time constants from one sample to the length of the log, and variances that add up to a
-// spectrum of 1/f^exponent.
+// Returns processes with time constants from one sample to the length of the log, whose spectra add up to 1/f^exponent.
 std::vector<SlowPart> slowParts(double exponent, Index samples) {
   std::vector<SlowPart> parts;
   double sum = 0.0;
@@ -46,7 +45,7 @@ std::vector<SlowPart> slowParts(double exponent, Index samples) {
   return parts;
 }
 
-// Returns the one-sided spectral density of the 1/f part at variance 1.
+// Returns the one-sided spectral density of a 1/f part with variance 1.
 double colouredShape(const std::vector<SlowPart>& parts, double frequency) {
   const double cosine = std::cos(2.0 * element::kPi * frequency);
   double sum = 0.0;
@@ -57,14 +56,14 @@ double colouredShape(const std::vector<SlowPart>& parts, double frequency) {
   return sum;
 }
 
-// White and 1/f part of largest likelihood for one exponent.
+// White and 1/f parts of maximum likelihood for one exponent.
 struct SpectralFit {
   double log_likelihood = -HUGE_VAL;
-  double share = 0.0;     // of the 1/f part in the variance
-  double variance = 0.0;  // of both
+  double share = 0.0;     // share of the 1/f part in the variance
+  double variance = 0.0;  // variance of both parts
 };
 
-// Maximises Whittle's likelihood for a share; the variance follows from the shape in closed form.
+// Maximises Whittle's likelihood for a given share. The variance follows from the shape of the spectrum in closed form.
 SpectralFit fitShare(const std::vector<SpectrumBand>& bands, const std::vector<double>& shape, double share) {
   SpectralFit fit;
   fit.share = share;
@@ -94,12 +93,12 @@ SpectralFit fitExponent(const std::vector<SpectrumBand>& bands, double exponent,
   return best;
 }
 
-// Returns the frequency at which a filter cuts the spectrum off: from there on it falls faster than any 1/f noise and
-// does not return. 0.5 without such a frequency.
+// Returns the frequency from which a filter makes the spectrum fall faster than any 1/f noise without rising again; 0.5
+// if there is none.
 double cutOff(const std::vector<SpectrumBand>& bands) {
   constexpr std::size_t kOctave = 6;     // bands
-  constexpr double kSteepest = -2.6;     // a steeper slope of the spectrum is that of a filter
-  constexpr double kFewestLines = 10.0;  // for the level of a band to be known to a third
+  constexpr double kSteepest = -2.6;     // only a filter makes the spectrum fall more steeply
+  constexpr double kFewestLines = 10.0;  // lines that determine the level of a band to a third
   for (std::size_t i = 0; i + kOctave < bands.size(); ++i) {
     if (bands[i].lines < kFewestLines || bands[i].density <= 0.0) {
       continue;
@@ -120,7 +119,7 @@ std::vector<SpectrumBand> countingBands(const std::vector<SpectrumBand>& all, co
   std::vector<SpectrumBand> outside;
   std::copy_if(all.begin(), all.end(), std::back_inserter(outside),
                [&](const SpectrumBand& band) { return !excluded.contains(band.frequency); });
-  // Above a quarter of a cycle per sample, aliases bend the 1/f law of the processes; the other bands suffice.
+  // Above a quarter of a cycle per sample, aliases change the 1/f law of the processes. The lower bands suffice.
   const double cut = std::min(cutOff(outside), 0.25);
   std::vector<SpectrumBand> counting;
   std::copy_if(outside.begin(), outside.end(), std::back_inserter(counting),
@@ -139,7 +138,7 @@ std::array<double, 2> profileInterval(const std::vector<double>& exponents, cons
       interval[1] = std::max(interval[1], exponents[i]);
     }
   }
-  // Wider by the grid's step, which covers how far a sum of processes is from 1/f near half of the sampling rate.
+  // Widened by one step of the grid, which covers the error of a sum of processes near half of the sampling rate.
   const double step = exponents[1] - exponents[0];
   return {interval[0] - step, interval[1] + step};
 }
@@ -164,7 +163,7 @@ void fitSpectrum(const std::vector<SpectrumBand>& bands, NoiseModel& model) {
   for (const SpectrumBand& band : bands) {
     lines += band.lines;
   }
-  // Two more parameters, by the Bayesian information criterion.
+  // The 1/f part has two more parameters, which the Bayesian information criterion has to justify.
   if (model.evidence > std::log(std::max(lines, 2.0))) {
     model.coloured = std::sqrt(best.variance * best.share);
     model.white = std::sqrt(best.variance * (1.0 - best.share));
@@ -174,7 +173,7 @@ void fitSpectrum(const std::vector<SpectrumBand>& bands, NoiseModel& model) {
   }
 }
 
-// Runs of samples that count.
+// Returns the runs of consecutive samples that count.
 std::vector<std::pair<Index, Index>> runsOf(const Mask& mask) {
   std::vector<std::pair<Index, Index>> runs;
   for (Index i = 0; i < mask.size(); ++i) {
@@ -188,8 +187,8 @@ std::vector<std::pair<Index, Index>> runsOf(const Mask& mask) {
   return runs;
 }
 
-// Estimates the reflection coefficients by Burg's method over runs (Burg 1975; Kay, Modern Spectral Estimation, 1988,
-// ch. 7), of the order of lowest Bayesian information criterion.
+// Estimates reflection coefficients by Burg's method over all runs (Burg 1975; Kay, Modern Spectral Estimation, 1988,
+// ch. 7), of the order with the lowest Bayesian information criterion.
 void fitFilter(const VectorXd& signal, const Mask& mask, NoiseModel& model) {
   const auto runs = runsOf(mask);
   const auto count = static_cast<double>(mask.count());
@@ -241,7 +240,7 @@ void fitFilter(const VectorXd& signal, const Mask& mask, NoiseModel& model) {
   model.reflection = reflection;
 }
 
-// Limits values to six robust deviations, because single large ones would increase every estimate.
+// Limits values to six robust standard deviations, because a few large values would increase every estimate.
 VectorXd clamped(const VectorXd& signal, const Mask& mask) {
   const double limit = 6.0 * robustDeviation(signal, mask);
   return limit > 0.0 ? VectorXd(signal.cwiseMin(limit).cwiseMax(-limit)) : signal;
@@ -263,7 +262,7 @@ double whittle(const NoiseModel& model, const std::vector<SpectrumBand>& bands) 
   return sum;
 }
 
-// Returns the mean misfit of bands to a model: about half for a true one, by the chi-square scatter of each band.
+// Returns the mean misfit of a model to bands: about half for a true model, because bands scatter like chi-square.
 double misfit(const NoiseModel& model, const std::vector<SpectrumBand>& bands) {
   double sum = 0.0;
   for (const SpectrumBand& band : bands) {
@@ -277,7 +276,7 @@ double misfit(const NoiseModel& model, const std::vector<SpectrumBand>& bands) {
 
 bool continuesInto(const ExcludedBand& excluded, const VectorXd& signal, const Mask& mask) {
   constexpr double kDrop = 3.9;    // half of chi-square with 3 parameters at 95 %
-  constexpr double kMisfit = 1.0;  // twice the misfit by chance
+  constexpr double kMisfit = 1.0;  // twice the misfit that chance causes
   if (mask.count() < kFewestSamples || meanSquare(signal, mask) <= 0.0) {
     return false;
   }
@@ -336,7 +335,7 @@ NoiseModel estimateNoise(const VectorXd& signal, const Mask& mask, const Exclude
     model.carried = std::sqrt(std::max(0.0, carried));
     return model;
   }
-  // The signal is now nearly white, at least in the bands that count; the filter models the remainder.
+  // The signal is now nearly white, at least in the bands used; the filter models the remaining colour.
   const Whitener whitener(model, mask);
   fitFilter(whitener(values).col(0), mask, model);
   return model;
@@ -347,7 +346,7 @@ Whitener::Whitener(const NoiseModel& model, const Mask& mask) : mask_(mask) {
   prepareFilter(model);
 }
 
-// Kalman's recursion for the sum of first-order processes in white noise: gains and innovations do not depend on the
+// Kalman's recursion for the sum of first-order processes in white noise. Gains and innovations do not depend on the
 // data, so one pass serves all columns.
 void Whitener::prepareGains(const NoiseModel& model) {
   const double total = model.white * model.white + model.coloured * model.coloured;
@@ -386,7 +385,7 @@ void Whitener::prepareGains(const NoiseModel& model) {
       gains_.col(used) = sum / innovation;
       deviation_[used] = std::sqrt(innovation);
       covariance -= (sum.matrix() * sum.matrix().transpose()).array() / innovation;
-      // The change still to come is then below a millionth of the gain in a thousand samples.
+      // In a thousand samples the gain then changes by less than a millionth.
       settled = used > 0 && ((gains_.col(used) - gains_.col(used - 1)).abs() < 1e-9 * gains_.col(used).abs()).all();
       gain_of_[static_cast<std::size_t>(i)] = static_cast<int>(used);
       ++used;
@@ -426,10 +425,10 @@ VectorXd Whitener::withoutSlowParts(const VectorXd& column) const {
   return result;
 }
 
-// Applies the lattice; each run begins with as many stages as there are samples before.
+// Applies the lattice. In each run the number of stages grows with the number of samples before, up to the order.
 void Whitener::filter(VectorXd& column) const {
   const std::size_t order = reflection_.size();
-  std::vector<double> backward(order + 1, 0.0);  // backward errors of the preceding sample, behind each stage
+  std::vector<double> backward(order + 1, 0.0);  // backward errors of the preceding sample, after each stage
   std::size_t known = 0;                         // samples of the run so far
   for (Index i = 0; i < column.size(); ++i) {
     if (!mask_[i]) {
@@ -439,7 +438,7 @@ void Whitener::filter(VectorXd& column) const {
     }
     const std::size_t stages = std::min(known, order);
     double forward = column[i];
-    double carried = forward;  // backward error of this sample behind the stage before
+    double carried = forward;  // backward error of this sample after the preceding stage
     for (std::size_t m = 0; m < stages; ++m) {
       const double before = backward[m];
       backward[m] = carried;
@@ -463,7 +462,7 @@ Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& columns) const {
 }
 
 std::optional<RigFinding> colouredNoiseFinding(const std::string& log, const NoiseModel& model) {
-  // Stricter than the information criterion: one false finding in a thousand logs (chi-square, 2 parameters).
+  // Stricter than the information criterion: one false finding in a thousand logs (chi-square with 2 parameters).
   constexpr double kEvidence = 6.9;
   if (!model.isColoured() || model.evidence < kEvidence) {
     return std::nullopt;

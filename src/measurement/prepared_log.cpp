@@ -13,10 +13,10 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-constexpr double kFewestUsable = 0.5;  // share; with less, fits would rely on interpolated samples
-constexpr double kLongestStart = 0.1;  // of the log, for its first cycle
+constexpr double kFewestUsable = 0.5;  // share; with fewer, fits would rely on interpolated samples
+constexpr double kLongestStart = 0.1;  // share of the log that its first cycle may be
 
-// Returns the number of first samples of a log that starts in motion: one cycle of its mean frequency; 0 for others.
+// Returns the number of samples in the first cycle of a log that starts in motion; 0 for other logs.
 Eigen::Index samplesOfStart(const log::Record& record) {
   if (!startsInMotion(record)) {
     return 0;
@@ -31,7 +31,7 @@ double standardDeviation(const Eigen::VectorXd& values, const Eigen::VectorXd& c
   return std::sqrt((values.array() - mean).square().matrix().dot(counts) / count);
 }
 
-// Returns the columns of the initial state, scaled by their priors.
+// Returns the columns of initial states, scaled by their priors.
 Eigen::MatrixXd statesOf(const RigColumns& rig) {
   std::vector<Eigen::Index> chosen;
   for (std::size_t j = 0; j < rig.nuisances.size(); ++j) {
@@ -42,14 +42,14 @@ Eigen::MatrixXd statesOf(const RigColumns& rig) {
   return rig.columns(Eigen::all, chosen) * rig.priors(chosen).asDiagonal();
 }
 
-// Returns orthonormal columns, without dependent ones, such as exponentials that vanish before the first sample that
-// counts.
+// Returns an orthonormal basis of the columns. Dependent columns, such as exponentials that vanish before the first
+// sample that counts, are dropped.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   constexpr double kIndependent = 1e-6;
   return columns.cols() == 0 ? columns : numerics::orthonormalColumns(columns, kIndependent);
 }
 
-// Compares findings on faults of single samples, whose value is the number of samples.
+// Compares findings on single samples by their value, the number of excluded samples.
 bool excludesLess(const RigFinding& one, const RigFinding& other) { return one.value < other.value; }
 
 enum class Start { counts, counts_at_rest };
@@ -61,7 +61,7 @@ PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
   const Faults faults = findFaults(log);
   if (start == Start::counts_at_rest) {
     if (log::Record raw = log::rawRecord(log, lead_in); !log::bothChange(raw)) {
-      return {std::move(raw), {}};  // checkBench() reports it
+      return {std::move(raw), {}};  // checkBench() reports the constant channel
     }
   }
   PreparedLog prepared{log::makeRecord(repaired(log, faults), std::move(lead_in)), faults.findings};
@@ -82,7 +82,7 @@ PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
                       counts.sum(), measured, most == faults.findings.end() ? "too short" : most->text));
     }
     record.counts = counts;
-    // The start counts here, because the force after it may hardly change, as in a hold after a ramp.
+    // The start counts here, because the force after it may hardly vary, as in a hold after a ramp.
     record.force_deviation = standardDeviation(record.force, usable);
   }
   return prepared;

@@ -1,4 +1,4 @@
-// Nuisances of a rig: their columns, their fit, and their findings.
+// Errors of a rig: their columns in the least-squares system, their fit, and the findings.
 #include "rubber_suspension/measurement/rig_model.h"
 
 #include <fmt/format.h>
@@ -23,14 +23,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kShift = 0.01;  // of the range, for the derivative by the displacement's offset
-// Ratio of the relaxation times of the initial state: a sum of exponentials this far apart follows any other to 2 %.
+constexpr double kShift = 0.01;  // share of the range, for the derivative with respect to the displacement offset
+// Ratio of successive relaxation times of the initial state. A sum of such exponentials approximates any other to 2 %.
 constexpr double kRelaxationRatio = 4.0;
-// Longest relaxation as a share of the log: a slower one is a drift of unknown origin.
+// Longest relaxation time as a share of the log. A slower force is a drift of unknown origin.
 constexpr double kSlowestRelaxation = 0.25;
-constexpr double kChance = 1e-3;  // probability of a false finding, for each value of each log
+constexpr double kChance = 1e-3;  // probability of a false finding, per value and log
 constexpr double kNormal95 = 1.96;
-// RMS over the log, in units of the noise: a smaller error increases the gap by less than half a per cent of the noise.
+// RMS over the log in units of the noise. A smaller error increases the gap by less than 0.5 % of the noise.
 constexpr double kMatters = 0.1;
 
 struct Column {
@@ -54,7 +54,7 @@ void addInitialState(Index count, std::vector<Column>& columns) {
   }
 }
 
-// Returns the signal at t - delay - clock (t - middle of the log), by cubic interpolation.
+// Returns the signal at time t - delay - clock (t - middle of the log), by cubic interpolation.
 VectorXd delayed(const VectorXd& values, double delay, double clock) {
   if (delay == 0.0 && clock == 0.0) {
     return values;
@@ -74,31 +74,31 @@ VectorXd delayed(const VectorXd& values, double delay, double clock) {
   return result;
 }
 
-// Returns the displacement of a record relative to its linearisation point, if any.
+// Returns the displacement of a record, less the displacement offset of its point of linearisation if there is one.
 VectorXd displacementOf(const std::vector<gap::PreparedRecord>& records, const std::vector<RigPoint>& points,
                         std::size_t log) {
   return records[log].displacement.array() - (points.empty() ? 0.0 : points[log].displacement_zero);
 }
 
-// Motions of a machine before the log, each with another force after it.
+// Possible motions of the rig before the log, each of which causes another initial force.
 enum class Before {
-  same_motion,  // the log's first quarter, point-mirrored, so that displacement and speed are continuous
+  same_motion,  // first quarter of the log, point-mirrored, so that displacement and speed are continuous
   from_above,   // down from the highest displacement
   from_below,   // up from the lowest
   from_rest,    // from the component's rest at 0
 };
 constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Before::from_below, Before::from_rest};
 
-// True if this motion may have been before the log and have changed the state of the component: the log begins while
-// the machine runs, or displaced.
+// Returns true if this motion may have occurred before the log and have changed the state of the component: the log
+// begins in motion or displaced.
 bool mayPrecede(Before kind, const log::Record& record) {
-  constexpr double kDisplaced = 0.05;  // of the range: more than an offset that nobody removed
+  constexpr double kDisplaced = 0.05;  // share of the range, more than an offset that nobody removed
   const bool displaced = record.lead_in.displacement.empty() &&
                          std::abs(record.displacement[0]) > kDisplaced * rangeOf(record.displacement);
   return kind == Before::from_rest ? displaced : startsInMotion(record);
 }
 
-// Returns the displacement from which the component came before the log.
+// Returns the displacement from which the component moves to the start of the log.
 double farthest(Before kind, const VectorXd& displacement) {
   switch (kind) {
     case Before::from_above:
@@ -139,7 +139,7 @@ RigColumns assemble(std::vector<Column> columns, const std::function<double(Nuis
   return rig;
 }
 
-// Least squares in units of the priors, so that the normal matrix is well scaled.
+// Least-squares solution in units of the priors, so that the normal matrix is well scaled.
 struct Solution {
   VectorXd values;
   MatrixXd covariance;
@@ -158,7 +158,7 @@ Index columnOf(const RigColumns& rig, Nuisance nuisance) {
   return found == rig.nuisances.end() ? -1 : static_cast<Index>(found - rig.nuisances.begin());
 }
 
-// Sets the base so that values are total ones, not increments on those of the linearisation point.
+// Sets the base so that the values are total values instead of increments from the point of linearisation.
 void setBase(const VectorXd& force, const RigPoint& point, RigColumns& rig) {
   rig.base = force;
   const auto subtract = [&](Nuisance nuisance, double value) {
@@ -204,7 +204,7 @@ Solution withoutColumn(const NormalEquations& equations, const VectorXd& priors,
   return solveWithPriors(equations.gram, equations.moment, tight);
 }
 
-// Name and unit of a nuisance in findings, and its tolerance, which may be relative to a quantity of the record.
+// Name and unit of an error in findings, and its tolerance, which may be relative to a quantity of the record.
 struct NuisanceInfo {
   const char* finding;
   const char* unit;
@@ -271,7 +271,7 @@ RigFinding told(const std::string& log, Nuisance nuisance, double value, double 
   return result;
 }
 
-// True if values differ significantly from 0: their chi-square is beyond its quantile.
+// Returns true if values differ significantly from 0, that is, their chi-square exceeds the quantile.
 bool significant(const VectorXd& values, const MatrixXd& covariance) {
   const double square = values.dot(numerics::Cholesky(covariance).solve(values));
   const boost::math::chi_squared distribution(static_cast<double>(values.size()));
@@ -282,7 +282,7 @@ bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
   return significant(fit.values(columns), fit.covariance(columns, columns));
 }
 
-// True if the RMS of nuisances is large enough: over the whole log, or over the duration of a start in motion.
+// Returns true if the RMS of errors over the whole log, or over the duration of a start in motion, is large enough.
 bool matters(const RigFit& fit, const std::vector<Index>& columns) {
   VectorXd part = VectorXd::Zero(fit.residual.size());
   bool start = false;
@@ -319,7 +319,7 @@ RigFinding initialStateFinding(const std::string& name, const RigFit& fit, const
   return told(name, Nuisance::initial_state, value, std::sqrt(variance), prior);
 }
 
-// Returns the samples until the displacement has first moved that far.
+// Returns the number of samples until the displacement has moved by `distance` for the first time.
 double timeToMove(const VectorXd& displacement, double distance) {
   for (Index i = 1; i < displacement.size(); ++i) {
     if (std::abs(displacement[i] - displacement[0]) >= distance) {
@@ -329,14 +329,14 @@ double timeToMove(const VectorXd& displacement, double distance) {
   return static_cast<double>(displacement.size());
 }
 
-// True for a start at 0 without force, which no earlier motion has affected.
+// Returns true for a start at 0 without force, which no earlier motion has affected.
 bool startsAtRest(const log::Record& record) {
-  constexpr double kNear = 0.01;  // of the range
+  constexpr double kNear = 0.01;  // share of the range
   return std::abs(record.displacement[0]) < kNear * rangeOf(record.displacement) && record.force.size() > 0 &&
          std::abs(record.force[0]) < kNear * rangeOf(record.force);
 }
 
-// Returns the limit of the initial state [N]: how much the first forces differ from those of a start from rest.
+// Returns the limit of the initial state [N]: how much the first measured forces differ from those simulated from rest.
 double mostLeft(const log::Record& record, const VectorXd& base) {
   constexpr Index kFirst = 5;  // samples, to average noise
   const Index count = std::min(kFirst, record.size());
@@ -351,8 +351,8 @@ bool startsInMotion(const log::Record& record) {
   if (startsAtRest(record)) {
     return false;
   }
-  // Ten times the displacement takes 3.2 times as long from a turning point (square of the time), 10 times at speed,
-  // the third root or less with an amplitude that is faded in, and about as long after a standstill.
+  // The time to move ten times as far is 10 times as long at speed, 3.2 times from a turning point, and at most about
+  // 2.2 times after a standstill or if the amplitude is faded in.
   constexpr double kFadedIn = 2.6;
   const double range = rangeOf(record.displacement);
   const double noise = record.passed_frequency > 0.0 ? 0.0 : record.displacement_noise;
@@ -385,7 +385,7 @@ double RigModel::tolerance(Nuisance nuisance, const log::Record& record) const {
 }
 
 double RigModel::prior(Nuisance nuisance, const gap::PreparedRecord& record) const {
-  constexpr double kAnyZero = 100.0;  // of the range of the force
+  constexpr double kAnyZero = 100.0;  // share of the range of the force
   constexpr double kAnyGain = 1.0;
   if (nuisance == Nuisance::gain && record.own.gain) {
     return kAnyGain;
@@ -436,7 +436,7 @@ std::vector<RigColumns> RigModel::columns(const std::vector<VectorXd>& simulated
     const VectorXd base = late(simulated[i]);
     std::vector<Column> columns = {{Nuisance::force_zero, VectorXd::Ones(record.size())}};
     if (!shifted.empty()) {
-      // A displacement that is recorded too high makes the simulated force too large.
+      // If the recorded displacement is too high, the simulated force is too large.
       columns.push_back(
           {Nuisance::displacement_zero, (base - late(shifted[i])) / (kShift * rangeOf(record.displacement))});
     }
@@ -467,7 +467,7 @@ RigFit RigModel::fit(std::size_t log, const RigColumns& columns, int iterations)
   RigFit fit;
   fit.rig = columns;
   fit.values = VectorXd::Zero(columns.priors.size());
-  // The first solution assumes white noise of the residual's own size, so that the noise is estimated from a residual
+  // The first solution assumes white noise of the residual's size, so that the noise is then estimated from a residual
   // without offsets and trends.
   const VectorXd counted = mask.cast<double>();
   const double scale = std::max(gap::standardDeviation(residual), 1e-12 * rangeOf(record.force));

@@ -26,7 +26,7 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<gap::P
   return {kScatter * numerics::medianOf(forces), kScatter * numerics::medianOf(noise)};
 }
 
-// Squares of the rig's values: r'(I + C C')^-1 r less those of the residual (I + C C')^-1 r.
+// The squared values of the rig's errors are r'(I + C C')^-1 r minus the square of the residual (I + C C')^-1 r.
 double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
   if (record.rig.columns.cols() == 0) {
     return 0.0;

@@ -1,4 +1,4 @@
-// Periodogram in bands that are even on a log axis.
+// Periodogram in bands of equal width on a log axis.
 #include "measurement/spectrum.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Returns |FFT|^2 of the windowed signal, padded to a power of two, as one-sided density.
+// Returns |FFT|^2 of the windowed signal, padded to a power of two, as a one-sided density.
 VectorXd periodogram(const VectorXd& signal) {
   constexpr std::size_t kShortest = 64;
   const double power = 0.375 * static_cast<double>(signal.size());  // of a Hann window
@@ -25,7 +25,7 @@ VectorXd periodogram(const VectorXd& signal) {
   return density;
 }
 
-// Returns the mean of exponentially distributed lines, by their median, which single high lines do not raise.
+// Returns the mean of exponentially distributed lines, from their median, which a few high lines do not raise.
 double levelOf(const Eigen::Ref<const VectorXd>& lines) {
   constexpr Index kEnough = 8;
   const double mean = lines.mean();
@@ -51,7 +51,7 @@ std::vector<SpectrumBand> spectrumBands(const VectorXd& signal, const Mask& mask
   bridge(measured, mask);
   const VectorXd density = periodogram(measured);
   const auto padded = static_cast<double>(2 * (density.size() - 1));
-  const double line = std::max(1.0, padded / count);  // of the padded spectrum, per line of the signal
+  const double line = std::max(1.0, padded / count);  // lines of the padded spectrum per line of the signal
   std::vector<SpectrumBand> bands;
   auto begin = static_cast<Index>(std::ceil(2.0 * line));
   while (begin < density.size() - 1) {

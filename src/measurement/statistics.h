@@ -31,7 +31,7 @@ inline double meanSquare(const Eigen::VectorXd& signal, const Mask& mask) {
          std::max<double>(1.0, static_cast<double>(mask.count()));
 }
 
-/// Replaces the samples that do not count by straight lines between those that do; by 0 if none does.
+/// Replaces the samples that do not count by linear interpolation between those that do, or by 0 if none does.
 inline void bridge(Eigen::Ref<Eigen::VectorXd> values, const Mask& mask) {
   const Eigen::Index count = mask.size();
   Eigen::Index last = -1;  // last sample that counts
@@ -48,7 +48,7 @@ inline void bridge(Eigen::Ref<Eigen::VectorXd> values, const Mask& mask) {
   }
 }
 
-/// Returns the smallest difference between neighbours that is not 0: the step of a coarse sensor, tiny for a fine one.
+/// Returns the smallest nonzero difference between neighbours: the step of a coarse sensor, tiny for a fine one.
 inline double smallestStep(const Eigen::VectorXd& values) {
   double smallest = HUGE_VAL;
   for (Eigen::Index i = 1; i < values.size(); ++i) {

@@ -1,4 +1,4 @@
-// Checks of logs before any diagnosis: sign, unit factors, swapped columns, another component.
+// Checks of logs before any diagnosis: reversed sign, wrong units, swapped columns, log of another component.
 #pragma once
 
 #include <complex>
@@ -13,40 +13,41 @@
 
 namespace rubber_suspension::measurement {
 
-/// Compares the records of one bench with the configured component. Every finding is fatal and has evidence and
-/// correction in its text:
-/// - constant: a channel does not change, or stands still for a tenth of the log or more while the other continues, or
-///   the force is less than 5 % of the component's and unrelated to the displacement;
-/// - rectified: a channel follows the magnitude of the other;
-/// - contact_side: the force fits the component with its contacts, or compliances of one side, on the other side;
-/// - sign: the force falls where the displacement rises, and the loops create energy, which a mass in fast motion does
-///   not. A spring without loss is reported unless only its fastest logs are reversed, as by a mass;
-/// - swapped_columns: the loops create energy while the stiffness is positive, or the stiffness is that of the
-///   component with force and displacement exchanged;
-/// - delay: the loops create energy because one channel is late, by more than the effect time_delay explains;
-/// - unit_factor: the stiffness is off by a factor of a wrong unit (1000, 9.81, 25.4, 4.448, 10, ...): within 1.25, or
-///   2.5 for large factors, if units are assumed (log::UnitsAre); if they are named, within 1.4 tolerances of the data
-///   sheet, or 1.5 for large factors, in all logs alike, or by a large factor in one of several logs;
-/// - other_component: the stiffness of all logs is off by one other factor, more than this tolerance and all effects of
-///   rubber explain together;
-/// - peak_to_peak: the force is that of the component times 2, or 1/2, in all logs;
-/// - too_short: fewer than 30 samples in motion, or fewer than 4 samples per cycle.
+/// Compares the records of one bench with the configured component. Every finding is fatal; its text states the
+/// evidence and the correction. The findings:
+/// - constant: a channel is constant in the whole log, or for at least a tenth of it while the other channel continues;
+/// or the force is less than 5 % of the simulated force and unrelated to the displacement;
+/// - rectified: a channel follows the magnitude of the other channel;
+/// - contact_side: the force fits the component only if its contact, or its compliance of one side, acts on the other
+/// side;
+/// - sign: the force falls while the displacement rises, and the loops create energy, which a mass in fast motion does
+/// not do. For a spring without loss the falling force suffices, unless only the fastest logs are reversed;
+/// - swapped_columns: force and displacement exchanged fit the component, and the loops or the stiffness do not fit it
+/// as recorded;
+/// - delay: the loops create energy because one channel is late by more than the effect time_delay explains;
+/// - unit_factor: the stiffness is wrong by the factor of a wrong unit (1000, 9.81, 25.4, 4.448, ...). Units that are
+/// assumed (log::UnitsAre) may miss this factor by 1.25, or by 2.5 if it is above 90. Units that are named may miss it
+/// by 1.4 tolerances of the data sheet, or by at least 1.5 if it is above 90, in all logs; or by a factor above 90 in
+/// one of several logs;
+/// - other_component: the stiffness of all logs is wrong by one factor that neither a unit nor the tolerance of the
+/// data sheet together with all effects of rubber explains;
+/// - peak_to_peak: the force is twice or half that of the component in all logs;
+/// - too_short: fewer than 30 samples are in motion, or a cycle has fewer than 4 samples.
 ///
-/// `tolerance`: standard deviation of the logarithm of the data sheet's stiffnesses (estimation::SheetTolerance),
-/// within which deviations are no fault of the bench. Factors are not checked if the user accepts the units. If the
-/// force does not correlate with the displacement, as for a damper or a seal, only large factors (above 90) are
-/// reported. Throws std::invalid_argument for elements that make no component.
+/// `tolerance`: standard deviation of the logarithm of the data sheet's stiffnesses (estimation::SheetTolerance).
+/// Factors are not checked if the user accepts the units. If the force does not correlate with the displacement, as for
+/// a damper or a seal, a factor is reported only above 90. Throws std::invalid_argument for invalid elements.
 std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription>& elements,
                                    const std::vector<log::Record>& records,
                                    double tolerance = estimation::SheetTolerance::kUsual);
 
-/// Compares measured and configured K* [N/m] of a table's rows. Returns a finding on the table: sign if all loss angles
-/// are negative, unit_factor, other_component or peak_to_peak; nullopt if effects may explain the ratio.
+/// Compares measured and configured K* [N/m] of the rows of a table. Returns the finding sign if all loss angles are
+/// negative, or else unit_factor, other_component or peak_to_peak; nullopt if effects may explain the ratio.
 std::optional<RigFinding> checkTable(const std::string& table, const std::vector<std::complex<double>>& measured,
                                      const std::vector<std::complex<double>>& configured,
                                      double tolerance = estimation::SheetTolerance::kUsual);
 
-/// Returns true for a finding that the stiffness is off by a factor above 90, which no effect explains.
+/// Returns true if the finding states a factor of the stiffness above 90, which no effect explains.
 bool isFarOff(const RigFinding& finding);
 
 /// A record with the correction of a finding.
@@ -55,8 +56,8 @@ struct BenchCorrection {
   log::Record record;
 };
 
-/// Returns the correction that a finding of checkBench() on this record proposes; nullopt if it proposes none, as for
-/// another component. A wrong unit is corrected in the force. Throws as checkBench().
+/// Returns the correction that a finding of checkBench() on this record proposes. Returns nullopt if the finding
+/// proposes none, as for another component. A wrong unit is corrected in the force. Throws like checkBench().
 std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
                                             const std::vector<element::ElementDescription>& elements,
                                             const log::Record& record);

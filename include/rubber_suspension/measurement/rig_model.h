@@ -1,5 +1,5 @@
-// Errors of a rig in the force of each log: offsets, delay, clock, gain and a start in motion; estimated and removed by
-// generalised least squares.
+// Errors of a rig in each log (offsets, delay, clock, gain and a start in motion), estimated and removed by generalised
+// least squares.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,28 +16,28 @@
 
 namespace rubber_suspension::measurement {
 
-/// Meaning of a column; its value is in the unit in brackets.
+/// Error of the rig that one column of the least-squares system describes; the unit of its value is in brackets.
 enum class Nuisance {
   force_zero,         ///< offset of the recorded force [N]
   displacement_zero,  ///< offset of the recorded displacement [m]
-  delay,              ///< of the recorded force behind the displacement, in the middle of the log [s]
-  clock,              ///< growth of that delay per time [-]
+  delay,              ///< delay of the recorded force relative to the displacement, in the middle of the log [s]
+  clock,              ///< growth of that delay per unit of time [-]
   gain,               ///< relative error of the recorded force, positive if too large [-]
-  initial_state,  ///< force from a motion before the log [N]: the first value of one that decays with one relaxation
-                  ///< time, or the prior's standard deviation times a share of the force after a typical motion
+  initial_state,  ///< force from an earlier motion [N]: first value of a decay with one relaxation time, or standard
+                  ///< deviation of the prior times a share of the force after a typical motion
 };
 
-/// Linearisation point of a log: the displacement offset and the delays removed before.
+/// Point of linearisation of a log: the displacement offset and the delay that were already removed.
 struct RigPoint {
   double displacement_zero = 0.0;  ///< [m]
   double delay = 0.0;              ///< [s]
   double clock = 0.0;              ///< [-]
 };
 
-/// The force that the rig may add to one log, linear in its values: recorded = base + columns * values.
+/// Force that the rig may add to one log, linear in the values of its errors: recorded = base + columns * values.
 struct RigColumns {
-  Eigen::VectorXd base;             ///< simulated force; with a point, that of the point minus columns * point [N]
-  std::vector<Nuisance> nuisances;  ///< of each column; initial_state has several, others one at most
+  Eigen::VectorXd base;             ///< simulated force [N]; with a point of linearisation, less columns * point
+  std::vector<Nuisance> nuisances;  ///< error that each column describes; initial_state may have several columns
   Eigen::MatrixXd columns;          ///< samples x nuisances [N per unit of the value]
   Eigen::VectorXd priors;           ///< standard deviation of each value
 };
@@ -46,50 +46,50 @@ struct RigColumns {
 struct RigFit {
   RigColumns rig;
   Eigen::VectorXd values;
-  Eigen::MatrixXd covariance;   ///< of the values, prior included
+  Eigen::MatrixXd covariance;   ///< covariance of the values, with their priors
   Eigen::VectorXd correction;   ///< force that the rig adds to the simulated one [N]
-  Eigen::VectorXd residual;     ///< measured minus simulated force minus correction [N]
-  NoiseModel noise;             ///< of that residual
-  double zeros_as_force = 0.0;  ///< force offset if it explains both offsets [N], and its deviation
+  Eigen::VectorXd residual;     ///< measured minus simulated force minus `correction` [N]
+  NoiseModel noise;             ///< noise of `residual`
+  double zeros_as_force = 0.0;  ///< value and standard deviation [N] if one force offset explains both offsets
   double zeros_as_force_deviation = 0.0;
 
-  /// Returns the column of a nuisance, -1 if it is not free.
+  /// Returns the index of the column of an error, or -1 if the error is not free.
   Eigen::Index column(Nuisance nuisance) const;
 };
 
-/// Returns the forces of all logs [N] over displacements [m], one vector per record at its sampling interval. A vector
-/// that is longer than the record begins with a motion before the log.
+/// Returns the simulated forces [N] of all logs for given displacements [m], one vector per record at its sampling
+/// interval. A vector longer than the record begins with a motion before the log.
 using Simulate = std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)>;
 
-/// Returns true if a record may start while the machine runs, at speed or at a turning point, by the growth of its
-/// first displacements. Returns false for a start at 0 without force, such as a ramp from rest.
+/// Returns true if the growth of the first displacements shows that the record may start while the rig is running, at
+/// speed or at a turning point. Returns false for a start at 0 without force, such as a ramp from rest.
 bool startsInMotion(const log::Record& record);
 
-/// Nuisances of a set of logs, with their priors.
+/// Errors of the rig in several logs, with their priors.
 class RigModel {
  public:
-  /// `masks`: samples that count, one per record; empty: all. Throws std::invalid_argument if sizes differ.
+  /// `masks`: samples that count, one mask per record, or none. Throws std::invalid_argument if sizes differ.
   RigModel(std::vector<gap::PreparedRecord> records, std::vector<Mask> masks, const io::RigTolerances& tolerances);
 
-  /// Returns columns and priors of the nuisances of each log, linearised at the simulated forces. `simulate` is called
+  /// Returns columns and priors of the errors of each log, linearised at the simulated forces. `simulate` is called
   /// once with all displacements shifted by a hundredth of their range; if it is null, displacement offsets are not
   /// free. It is also called up to four times with a motion before each log that starts in motion or displaced: the
   /// first quarter of the log, or a motion from its highest displacement, its lowest displacement, or rest. The prior
-  /// of the initial state is at most the error of the simulated force in the first samples. `points`: where to
-  /// linearise.
+  /// of the initial state is at most the error of the simulated force in the first samples. `points`: points of
+  /// linearisation.
   std::vector<RigColumns> columns(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate,
                                   const std::vector<RigPoint>& points = {}) const;
 
-  /// Estimates the values of one log by generalised least squares with priors, in `iterations` rounds of coloured noise
-  /// by the residual and Huber's weights; without a round, by least squares with white noise of the residual's size.
+  /// Fits one log by generalised least squares with priors. Each iteration estimates coloured noise from the residual
+  /// and Huber's weights; 0 iterations assume white noise of the residual's size.
   RigFit fit(std::size_t log, const RigColumns& columns, int iterations = 2) const;
 
-  /// Fits all logs, linearised a second time at the values of the first fit.
+  /// Fits all logs, and fits them again after linearising at the values of the first fit.
   std::vector<RigFit> fitAll(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate) const;
 
-  /// Returns the findings of a fit that are significant (false in 1 of 1000 for each value) and large enough to matter
-  /// (a tenth of the noise, RMS over the log), each with its 95 % interval. If the logs cannot distinguish an offset of
-  /// the force from one of the displacement, both are reported as one `force_zero`.
+  /// Returns the significant findings of a fit (probability of a false one 1 in 1000 per value) whose RMS force is at
+  /// least a tenth of the noise, each with its 95 % interval. If the logs cannot distinguish an offset of the force
+  /// from one of the displacement, one finding `force_zero` reports both.
   std::vector<RigFinding> findings(std::size_t log, const RigFit& fit) const;
 
   const std::vector<gap::PreparedRecord>& records() const { return records_; }
