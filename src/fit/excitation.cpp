@@ -14,10 +14,10 @@ namespace rubber_suspension::fit {
 
 namespace {
 
-// A million samples of white noise stay within this band.
-constexpr double kDeadBandOfNoise = 10.0;  // standard deviations, between both ends
+// Distance between the limits of white noise that a million samples do not exceed.
+constexpr double kDeadBandOfNoise = 10.0;  // standard deviations
 
-// Rounds to the digits with which a component file states the value.
+// Rounds to the two digits with which a component file states the value.
 double inTwoDigits(double value) { return std::stod(fmt::format("{:.2g}", value)); }
 
 void addTemperature(const std::vector<gap::PreparedRecord>& records, Excitation& result) {
@@ -43,11 +43,11 @@ void addForces(const std::vector<gap::PreparedRecord>& records, Excitation& resu
   }
 }
 
-// Largest radius; 0 unless all logs have a displacement across that does not merely follow the other.
+// Returns the largest radius, or 0 unless all logs have a transverse displacement independent of the axial one.
 double largestRadius(const std::vector<gap::PreparedRecord>& records) {
-  constexpr double kLeastApart = 0.2;  // of the own motion
+  constexpr double kLeastApart = 0.2;  // share of the axial motion
   double largest = 0.0;
-  double squares = 0.0;  // of the part that does not follow the own motion
+  double squares = 0.0;  // of the part that does not follow the axial motion
   double own = 0.0;
   for (const log::Record& record : records) {
     if (record.across.size() == 0) {
@@ -65,8 +65,8 @@ double largestRadius(const std::vector<gap::PreparedRecord>& records) {
   return squares > kLeastApart * kLeastApart * own ? largest : 0.0;
 }
 
-// Error of the node, which has the displacement as recorded and no later samples: sum over the logs of the mean square
-// for a mass of 1 kg, relative to the force. The first twentieth of a log, which may start with a jerk, does not count.
+// Returns the error of the force of a mass of 1 kg if it is computed, as in the node, without later samples: the sum
+// over the logs of the mean square, relative to the force. The first twentieth of a log may have a jerk and is skipped.
 double errorInTime(const std::vector<gap::PreparedRecord>& records, double bandwidth) {
   const auto in_time =
       gap::simulate({{"inertia", {{"mass", {1.0}}, {"bandwidth", {bandwidth}}}}}, records, gap::asRecorded);

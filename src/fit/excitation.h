@@ -12,28 +12,28 @@ namespace rubber_suspension::fit {
 
 struct Excitation {
   double largest_displacement = 0.0;  ///< largest |z| [m]
-  double stiffness = 0.0;             ///< force over displacement, by their standard deviations [N/m]
+  double stiffness = 0.0;             ///< standard deviation of the force over that of the displacement [N/m]
   double force = 0.0;                 ///< standard deviation of the force [N]
-  double lowest_force = 0.0;          ///< without the lowest 0.1 % of a log, which may be spikes [N]
-  double highest_force = 0.0;         ///< likewise [N]
+  double lowest_force = 0.0;          ///< lowest force without the lowest 0.1 % of a log, which may be spikes [N]
+  double highest_force = 0.0;         ///< highest force without the highest 0.1 % of a log [N]
   double power = 0.0;                 ///< mean of |force x rate| [W]
   double highest_frequency = 0.0;     ///< [Hz]
-  double mean_frequency = 0.0;        ///< of the fastest log (Record::mean_frequency) [Hz]
+  double mean_frequency = 0.0;        ///< mean frequency of the fastest log (Record::mean_frequency) [Hz]
   double highest_rate = 0.0;          ///< largest |dz/dt| [m/s]
   double longest_duration = 0.0;      ///< [s]
-  double slowest_loop = 0.0;          ///< longest time that half the range of a log takes at its largest |dz/dt| [s]
+  double slowest_loop = 0.0;          ///< longest time for half of a log's range at its largest |dz/dt| [s]
   double dt = 0.0;                    ///< [s]
-  /// Dead band [m] of laws that small reversals change permanently: larger than the noise of a constant displacement.
+  /// Dead band [m] for laws that small reversals change permanently: larger than the noise of a constant displacement.
   double dead_band = 0.0;
   std::size_t whole_logs = 0;        ///< number of logs; 0 if any is an excerpt
-  gap::OwnErrors own;                ///< errors of the rig that any of them has separately
-  bool has_temperature = false;      ///< all logs have one
+  gap::OwnErrors own;                ///< errors of the rig that any log has separately
+  bool has_temperature = false;      ///< true if all logs have a temperature
   double lowest_temperature = 0.0;   ///< [degC]
   double highest_temperature = 0.0;  ///< [degC]
-  /// Activation energy of the shift with temperature, from the superposition of a table [J/mol]; 0: unknown.
+  /// Activation energy of the shift with temperature, from the superposition of a table [J/mol]; 0 if unknown.
   double activation_energy = 0.0;
-  /// Largest root of displacement squared plus that across squared [m]; 0 if the displacement across is missing or
-  /// follows the other.
+  /// Largest root of axial squared plus transverse displacement squared [m]; 0 if the transverse displacement is
+  /// missing or follows the axial one.
   double largest_radius = 0.0;
   double mass_bandwidth = 0.0;  ///< massBandwidth() [Hz]
 };
@@ -43,7 +43,7 @@ Excitation summarise(const std::vector<gap::PreparedRecord>& records);
 /// Returns the force of a mass of 1 kg that moves with the displacement [N], by central differences.
 Eigen::VectorXd acceleration(const log::Record& record);
 
-/// Returns the bandwidth [Hz] with which an inertia on the displacement as recorded has the least error; 0: no filter.
+/// Returns the filter bandwidth [Hz] with which an inertia on recorded displacement has the least error; 0: no filter.
 double massBandwidth(const std::vector<gap::PreparedRecord>& records, double highest_frequency);
 
 }  // namespace rubber_suspension::fit

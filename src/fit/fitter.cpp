@@ -13,11 +13,11 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// True if the force of a component, except for its mean, depends on the centre of its motion.
+// Returns true if the force of a component without its mean depends on the centre of the motion.
 bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, const log::Record& record) {
   constexpr Eigen::Index kSamples = 400;
-  constexpr double kAside = 0.2;  // of the amplitude
-  constexpr double kMore = 1e-6;  // of the force: rounding
+  constexpr double kAside = 0.2;  // share of the amplitude
+  constexpr double kMore = 1e-6;  // share of the force; a smaller one is rounding
   log::Record probe;
   probe.dt = record.dt;
   const double largest = record.displacement.cwiseAbs().maxCoeff();

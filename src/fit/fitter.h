@@ -16,7 +16,7 @@ namespace rubber_suspension::fit {
 /// Fits hypotheses to one set of logs. Thread-safe once constructed; the model has to outlive it.
 class Fitter final : public HypothesisFitter {
  public:
-  /// `one_deviation`: gap that counts as much as a departure of one standard deviation.
+  /// `one_deviation`: gap that counts as much as a departure from prior knowledge by one standard deviation.
   Fitter(std::shared_ptr<const std::vector<gap::PreparedRecord>> records, const ModelParameters& model,
          double one_deviation);
   Fitter(std::vector<gap::PreparedRecord> records, const ModelParameters& model, double one_deviation)
@@ -27,17 +27,17 @@ class Fitter final : public HypothesisFitter {
   const LogBlocks& blocks() const { return *blocks_; }
   double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const override;
 
-  /// Finds unit effects of the candidates (findUnitEffects()) and their products, so that fits need not do so, and sets
-  /// BasisTerm::depends_on_place. No fit may run meanwhile.
+  /// Finds unit effects of the candidates (findUnitEffects()) and their products, so that fits do not repeat this, and
+  /// sets BasisTerm::depends_on_place. No fit may run at the same time.
   void prepare(std::vector<Candidate>& candidates, int threads);
 
-  /// Frees the offset of the displacement in each log if the force of the hypothesis depends on it and the rig's
-  /// tolerance is known.
+  /// Adds a displacement offset of each log to the parameters of the fit if the force of the hypothesis depends on it
+  /// and the tolerance of the rig is known.
   void freeZeros(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
 
   void freeFactors(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
 
-  /// Returns the factor on the friction of each log at a parameter vector; empty if factors are not free.
+  /// Returns the factor on the friction of each log at a parameter vector; empty if the factors are not free.
   std::vector<double> factors(Hypothesis hypothesis, const ParameterVector& parameters) const;
 
  private:
@@ -49,7 +49,7 @@ class Fitter final : public HypothesisFitter {
     return blocks_->normalEquations(base, forces_.columns(hypothesis, parameters, how.active, base, how.threads),
                                     how.free, how.kept, how.threads);
   }
-  /// Estimates of a log's nuisance parameters, and the part of the squared residual that they explain.
+  /// Estimated nuisance parameters of a log, and the part of the squared residual that they explain.
   struct Own {
     Eigen::VectorXd values;
     double taken = 0.0;

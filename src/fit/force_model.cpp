@@ -1,4 +1,4 @@
-// Simulated force over unknown parameters.
+// Simulated force as a function of unknown parameters.
 #include "fit/force_model.h"
 
 #include <algorithm>
@@ -21,14 +21,14 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kSearchReach = 1e3;  // factor to either side of the given value where the log sets no scale
+constexpr double kSearchReach = 1e3;  // factor above and below the given value where the log implies no scale
 constexpr double kStartReach = 10.0;
 constexpr double kNanoseconds = 1e9;  // in a second
 
-// Limits that rate, length and amplitude of the logs set.
+// Scales that follow from rate, length and amplitude of the logs.
 struct LogScales {
   double sampling_rate = 0.0;  // [Hz]
-  double duration = 0.0;       // of the longest log [s]
+  double duration = 0.0;       // duration of the longest log [s]
   double amplitude = 0.0;      // amplitudeOf() [m]
 };
 
@@ -47,7 +47,7 @@ bool canBeMade(const std::vector<element::ElementDescription>& elements) {
   }
 }
 
-// Returns the parameters of a single Maxwell element; nullopt for anything else.
+// Returns the parameters of a single Maxwell element; nullopt for other elements.
 std::optional<element::BasicLaws::MaxwellNumbers> maxwellOf(const std::vector<element::ElementDescription>& elements) {
   element::BasicLaws laws;
   if (elements.size() == 1) {
@@ -75,7 +75,7 @@ LogScales scalesOf(const std::vector<log::Log>& logs) {
   return scales;
 }
 
-// Range of a value of this unit that the logs can show.
+// Returns the range of a value with this unit that the logs can show.
 Reach reachOf(const std::string& unit, double given, const LogScales& scales) {
   const auto& [rate, duration, amplitude] = scales;
   if (unit == "Hz") {
@@ -108,7 +108,7 @@ Unknown unknownOf(std::size_t position, const element::ParameterInfo& parameter,
   return unknown;
 }
 
-// Returns the unknown parameters of an element. Those that scale its force are linear only if all such are unknown.
+// Returns the unknown parameters of an element. If none is fixed, those that scale its force are linear.
 std::vector<Unknown> unknownsOf(std::size_t position, const element::ElementDescription& element,
                                 const std::vector<std::string>& held, const LogScales& scales) {
   std::vector<Unknown> unknowns;
@@ -167,7 +167,7 @@ void ForceModel::addNonlinear(const Unknown& unknown, Part& part) {
   nonlinear_.back().linear = false;
 }
 
-// A column for each parameter that scales a force of the element.
+// Adds a column to the basis for each parameter that scales a force of the element.
 void ForceModel::addElement(std::size_t position, const std::vector<Unknown>& unknowns) {
   Part part{{elements_[position]}, {}};
   for (const Unknown& unknown : unknowns) {
@@ -193,7 +193,7 @@ void ForceModel::addElement(std::size_t position, const std::vector<Unknown>& un
   }
 }
 
-// Columns of the rig do not depend on the parameters.
+// The forces of the rig's errors do not depend on the parameters.
 void ForceModel::makeColumns(const std::vector<Eigen::MatrixXd>& rig) {
   Eigen::Index column = static_cast<Eigen::Index>(linear_.size()) + 1;
   const Eigen::Index end =
@@ -248,7 +248,7 @@ void ForceModel::simulate(const Simulation& simulation) {
     component::SampleStream stream(component);
     const double* const temperature = log.temperature.empty() ? nullptr : log.temperature.data();
     const std::size_t accepted = stream.pushAll(log.stamp.data(), log.displacement.data(), temperature, size, first);
-    // From the first sample without a finite force on, the force counts as 0.
+    // The force is set to 0 from the first sample without a finite force.
     std::fill(first + accepted, first + size, 0.0);
     first += size;
   }
@@ -257,7 +257,7 @@ void ForceModel::simulate(const Simulation& simulation) {
   }
 }
 
-// Single Maxwell elements are simulated side by side.
+// Simulates parts. Single Maxwell elements are simulated together, with vector instructions.
 void ForceModel::simulate(const std::vector<Simulation>& simulations) {
   std::vector<element::BasicLaws::MaxwellNumbers> maxwells;
   std::vector<double*> forces;
@@ -359,13 +359,13 @@ double ForceModel::at(const Eigen::VectorXd& search) {
   try {
     last_ = fitAt(search);
     return residual().squaredNorm();
-  } catch (const std::invalid_argument&) {  // values that a law does not accept together
+  } catch (const std::invalid_argument&) {  // a combination of values that a law rejects
     return std::numeric_limits<double>::infinity();
   }
 }
 
 numerics::SumOfSquares::Slope ForceModel::slope() {
-  std::vector<Eigen::Index> taken;  // columns of the basis that are not held at zero
+  std::vector<Eigen::Index> taken;  // columns of the basis whose coefficient is not fixed at zero
   for (Eigen::Index i = 0; i < last_.coefficients.size(); ++i) {
     if (last_.coefficients[i] != 0.0 || signed_columns_[static_cast<std::size_t>(i)]) {
       taken.push_back(i);

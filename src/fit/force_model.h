@@ -1,5 +1,5 @@
-// Simulated force of logs as a function of a component's unknown parameters, in some of which it is linear, and least
-// squares over the others.
+// Simulated force of logs as a function of a component's unknown parameters. It is linear in some of them; the others
+// are found by nonlinear least squares.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,19 +17,19 @@ namespace rubber_suspension::fit {
 struct Reach {
   double lower;  ///< limits of the search
   double upper;
-  double start_lower;  ///< where starts are spread
+  double start_lower;  ///< range of the random starts
   double start_upper;
 };
 
-/// An unknown parameter, with its reach in search coordinates.
+/// An unknown parameter, with its range in search coordinates.
 struct Unknown : Reach {
-  std::size_t element;  ///< index into the elements
+  std::size_t element;  ///< index of its element
   std::string name;
   std::string unit;
   double given;
-  bool logarithmic;  ///< the search runs over ln(value), else over value/scale
-  double scale;      ///< 1 for logarithmic ones
-  bool linear;       ///< scales a force; so does no fixed parameter of its element
+  bool logarithmic;  ///< the search coordinate is ln(value) if true, value/scale if false
+  double scale;      ///< 1 if logarithmic
+  bool linear;       ///< it scales a force, and so do all fixed parameters of its element not
 
   double toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
   double toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
@@ -38,30 +38,30 @@ struct Unknown : Reach {
 /// Returns half of the largest range of displacement in a log [m].
 double amplitudeOf(const std::vector<log::Log>& logs);
 
-/// The samples whose force was measured.
+/// The samples at which measured and simulated force are compared.
 struct Compared {
-  std::vector<Eigen::Index> rows;  ///< among all samples
-  std::vector<Eigen::Index> runs;  ///< lengths of stretches without time gaps; noise is independent between stretches
+  std::vector<Eigen::Index> rows;  ///< indices among all samples
+  std::vector<Eigen::Index> runs;  ///< lengths of runs without time gaps; the noise of different runs is independent
   Eigen::VectorXd force;           ///< [N]
 };
 
-/// The eliminated coefficients at some search coordinates.
+/// The coefficients of the basis that are optimal at some search coordinates.
 struct ModelFit {
   Eigen::VectorXd search;
-  Eigen::VectorXd coefficients;  ///< of the basis of the ForceModel
+  Eigen::VectorXd coefficients;  ///< one for each column of the basis of the ForceModel
 };
 
-/// Force at the compared samples: unscaled(nonlinear) + basis(nonlinear) * coefficients. A coefficient of 1 stands for
-/// the given value of a linear unknown. After the linear unknowns, the basis has a constant 1 for the force offset, and
-/// the errors of the rig.
+/// Force at the compared samples: unscaled(nonlinear) + basis(nonlinear) * coefficients. The first columns of the basis
+/// belong to the linear parameters, whose given values have the coefficient 1. Then follow a constant 1 for the force
+/// offset, and the errors of the rig.
 ///
-/// Least squares run over the nonlinear unknowns alone (variable projection): the sum of squares of measured minus
-/// simulated force [N^2] has the best coefficients at each point. The slope omits a term of the Jacobian that is
-/// orthogonal to the residual (L. Kaufman, BIT 15 (1975) 49-57), so the gradient is exact, and so is the optimum.
+/// The search varies only the nonlinear parameters (variable projection). At each point the sum of squares of measured
+/// minus simulated force [N^2] is computed with the optimal coefficients. The slope omits a term of the Jacobian that
+/// is orthogonal to the residual (L. Kaufman, BIT 15 (1975) 49-57), so that gradient and optimum are exact.
 class ForceModel final : public numerics::SumOfSquares {
  public:
-  /// The elements have to be complete. `held`: parameters as "type.name". `rig`: IdentificationOptions::rig. The logs
-  /// and `compared` have to outlive the object.
+  /// The elements have to be complete. `held`: fixed parameters as "type.name". `rig`: see IdentificationOptions. The
+  /// logs and `compared` have to outlive the object.
   ForceModel(std::vector<element::ElementDescription> elements, const std::vector<log::Log>& logs,
              const Compared& compared, const std::vector<std::string>& held,
              const std::vector<Eigen::MatrixXd>& rig = {});
@@ -75,28 +75,28 @@ class ForceModel final : public numerics::SumOfSquares {
   double unit() const override { return unit_; }
   double rounding() const override { return 1e-21; }
 
-  /// Returns the best coefficients at these search coordinates. Throws std::invalid_argument for values that a law does
-  /// not accept together.
+  /// Returns the optimal coefficients at these search coordinates. Throws std::invalid_argument if a law rejects the
+  /// values.
   ModelFit fitAt(const Eigen::VectorXd& search);
   /// Returns the residual of the last fit [N].
   auto residual() const { return columns_.col(1 + bases()); }
-  /// Finds the derivatives of the force by the search coordinates of the last fit, by differences; only parts that
-  /// depend on an unknown are simulated.
+  /// Computes the derivatives of the force with respect to the search coordinates of the last fit, by differences. Only
+  /// parts that depend on a parameter are simulated.
   void differentiate(const ModelFit& fit);
-  /// Returns all columns: measured minus unscaled force, the basis, the residual, the derivatives.
+  /// Returns all columns: measured minus unscaled force, the basis, the residual, and the derivatives.
   const Eigen::MatrixXd& columns() const { return columns_; }
   Eigen::MatrixXd takeColumns() { return std::move(columns_); }  ///< the object cannot be used afterwards
-  /// Returns the part of the products of all columns that belongs to the derivatives by the search coordinates, then by
-  /// relative changes of the coefficients, or by the coefficients themselves where they are 0.
+  /// Selects from the products of all columns those of the derivatives with respect to the search coordinates, and then
+  /// with respect to relative changes of the coefficients (absolute changes where they are 0).
   static Eigen::MatrixXd ofParameters(const ModelFit& fit, const Eigen::MatrixXd& products);
 
  private:
   // Elements that are simulated together, for one column of the basis or for the unscaled force.
   struct Part {
-    std::vector<element::ElementDescription> elements;  // one, or all where they act on each other
-    std::vector<Eigen::Index> unknowns;                 // nonlinear ones that it depends on
-    Eigen::Index column = -1;                           // of the basis; -1: unscaled force
-    Eigen::VectorXd values = {};                        // of its unknowns when last simulated
+    std::vector<element::ElementDescription> elements;  // one element, or all if they affect each other
+    std::vector<Eigen::Index> unknowns;                 // nonlinear parameters on which it depends
+    Eigen::Index column = -1;                           // index in the basis; -1 for the unscaled force
+    Eigen::VectorXd values = {};                        // values of these parameters when last simulated
     bool simulated = false;
     Eigen::VectorXd force = {};  // unscaled force
   };
@@ -123,17 +123,17 @@ class ForceModel final : public numerics::SumOfSquares {
   std::vector<element::ElementDescription> elements_;
   const std::vector<log::Log>& logs_;
   const Compared& compared_;
-  double unit_;  // [N^2], of the measured force
+  double unit_;  // sum of squares of the measured force [N^2]
   std::vector<Unknown> nonlinear_;
   std::vector<Unknown> linear_;
-  std::vector<bool> signed_columns_;  // for each column of the basis, whether its coefficient may be negative
+  std::vector<bool> signed_columns_;  // for each column of the basis, true if its coefficient may be negative
   std::vector<Part> parts_;
   Eigen::MatrixXd columns_;   // columns()
   Eigen::VectorXd all_;       // force at all samples; empty if all are compared
-  Eigen::MatrixXd moved_;     // forces at moved unknowns, of further parts that have the same unknown
-  ModelFit last_;             // of the last call of at()
-  Eigen::MatrixXd products_;  // of the basis at last_
-  std::vector<double> dt_;    // of each log [s]; empty unless all logs have even steps and are compared throughout
+  Eigen::MatrixXd moved_;     // forces at varied parameters, of further parts that depend on the same parameter
+  ModelFit last_;             // result of the last call of at()
+  Eigen::MatrixXd products_;  // products of the basis at last_
+  std::vector<double> dt_;    // time step of each log [s]; empty unless all have even steps and are compared throughout
 };
 
 }  // namespace rubber_suspension::fit

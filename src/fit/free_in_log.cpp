@@ -1,4 +1,4 @@
-// Columns and priors of the nuisance parameters of a log.
+// Columns in the least-squares system, and priors, of the nuisance parameters of a log.
 #include "fit/free_in_log.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Eigen::MatrixXd PerLogNuisances::columns(const log::Record& record, std::size_t 
     const Eigen::ArrayXd once = (element::kPi * time).cos();
     columns.col(1) = once;
     columns.col(2) = 2.0 * once.square() - 1.0;
-    for (Eigen::Index k = 3; k < kTrendsPerLog; ++k) {  // Chebyshev: cos(k a) from the two before
+    for (Eigen::Index k = 3; k < kTrendsPerLog; ++k) {  // Chebyshev's recursion: cos(k a) from the two preceding ones
       columns.col(k) = 2.0 * once * columns.col(k - 1).array() - columns.col(k - 2).array();
     }
     columns.leftCols(kTrendsPerLog) *= record.force_deviation;
@@ -59,10 +59,10 @@ Eigen::MatrixXd PerLogNuisances::columns(const log::Record& record, std::size_t 
 }
 
 Eigen::VectorXd PerLogNuisances::costs(const gap::PreparedRecord& record) const {
-  constexpr double kWalk = 0.1;         // standard deviation of the trend, relative to the force
-  constexpr double kGain = 0.5;         // of a gain, and of friction's factor: what a law explains as well is the law's
-  constexpr double kBelowMotion = 0.5;  // of the lowest frequency of the motion: faster forces are the component's
-  constexpr double kNone = 1e6;         // cost of a half cosine that is excluded
+  constexpr double kWalk = 0.1;  // standard deviation of the trend, relative to the force
+  constexpr double kGain = 0.5;  // standard deviation of gains and friction's factor; favours a law of the same effect
+  constexpr double kBelowMotion = 0.5;  // share of the motion's lowest frequency; faster forces are the component's
+  constexpr double kNone = 1e6;         // cost that excludes a half cosine
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(count());
   if (trend) {
     costs[0] = record.rig.one_deviation / kWalk;
@@ -113,7 +113,7 @@ gap::PreparedRecord PerLogNuisances::addedTo(const gap::PreparedRecord& record, 
 
 gap::Forces byZero(const std::vector<element::ElementDescription>& elements,
                    const std::vector<gap::PreparedRecord>& records) {
-  constexpr double kStep = 0.1;  // of a standard deviation
+  constexpr double kStep = 0.1;  // standard deviations
   gap::Forces columns = gap::simulate(elements, records);
   const auto moved = gap::simulate(elements, records, [&](const gap::PreparedRecord& record) -> Eigen::VectorXd {
     return record.displacement.array() - kStep * record.rig.displacement_zero;

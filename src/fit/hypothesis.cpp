@@ -45,7 +45,7 @@ gap::Forces softenedShare(const BasisTerm& term, const std::vector<gap::Prepared
 
 bool isAmong(const std::vector<int>& list, int one) { return std::find(list.begin(), list.end(), one) != list.end(); }
 
-// Adds the terms that the hypothesis lacks, along the curve if requested.
+// Adds the terms of a candidate that the hypothesis lacks, along the curve if `curved` contains the candidate.
 void addTerms(const std::vector<Candidate>& candidates, int candidate, const std::vector<int>& curved,
               Hypothesis& hypothesis) {
   const Candidate& of = candidates[static_cast<std::size_t>(candidate)];
@@ -63,7 +63,8 @@ void addTerms(const std::vector<Candidate>& candidates, int candidate, const std
   }
 }
 
-// The contained law that a candidate extends: if possible one that no other member does, the first of `preferred`.
+// Returns the contained law that a candidate extends: if possible one that no other candidate extends, the first of
+// `preferred`.
 std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, const std::vector<int>& preferred,
                           const std::vector<int>& by_others) {
   const std::vector<int> contained = containedBy(candidates, candidates[static_cast<std::size_t>(larger)]);
@@ -148,7 +149,7 @@ bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& lar
            contains(candidates[static_cast<std::size_t>(member)], candidates[static_cast<std::size_t>(one)]);
   };
   bool found = false;
-  do {  // a set has three members at most
+  do {  // a hypothesis has at most three candidates
     found =
         found || (smaller.size() <= order.size() && std::equal(smaller.begin(), smaller.end(), order.begin(), does));
   } while (std::next_permutation(order.begin(), order.end()));

@@ -10,19 +10,19 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kEnoughGain = 1e-3;       // of the gap, for a further step
-constexpr double kSlow = 0.2;              // of the reduction that a fit still needs: it would need five such steps
+constexpr double kEnoughGain = 1e-3;       // share of the gap that a further step has to gain
+constexpr double kSlow = 0.2;              // share of the required reduction, of which a fit would need five steps
 constexpr int kMostHalvings = 6;           // of a step that does not reduce the cost
-constexpr double kNegligibleScale = 1e-9;  // of the typical scale: a term of this scale is omitted
+constexpr double kNegligibleScale = 1e-9;  // share of the typical scale; a term of a smaller scale is omitted
 
-// Mean offset (or gain) of the logs that these unknowns do not explain. `of_columns`: the mean offset of each column,
-// and last that of the residual.
+// Returns the mean offset (or gain) of the logs that the parameters do not explain. `of_columns`: the mean offset of
+// each column of the least-squares system, the last of which is the residual.
 double meanLeft(const Eigen::VectorXd& of_columns, const Eigen::VectorXd& unknowns) {
   const Eigen::Index last = unknowns.size();
   return of_columns[last] - of_columns.head(last).dot(unknowns);
 }
 
-// Moves the part that offsets (or gains) of all logs have in common to the term for all logs, if there is one.
+// Moves the common part of the offsets (or gains) of all logs to the term for all logs, if there is one.
 void takeCommon(const Hypothesis& hypothesis, const BlockGrams& blocks, const Eigen::VectorXd& unknowns,
                 ParameterVector& parameters) {
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
@@ -86,7 +86,7 @@ ParameterVector HypothesisFitter::moved(const Hypothesis& hypothesis, const Para
   ParameterVector result = parameters;
   result.model += step.head(result.model.size());
   result.scales += step.segment(result.model.size(), result.scales.size());
-  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {  // rounding must not leave the bounds
+  for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {  // keeps rounding errors within the bounds
     const BasisTerm& term = hypothesis.terms[t];
     auto& scale = result.scales[static_cast<Eigen::Index>(t)];
     scale = std::clamp(scale, term.lower, term.upper);
@@ -140,19 +140,19 @@ BlockGrams HypothesisFitter::descend(const Hypothesis& hypothesis, const FitLimi
     if (!step.allFinite()) {
       break;
     }
-    // Cost after a step if the force were linear.
+    // Returns the cost after a step if the force were linear.
     const auto promiseOf = [&](const Eigen::VectorXd& taken) {
       return std::sqrt(std::max(0.0, squaresLeft(blocks.sum, taken)));
     };
     const double promise = promiseOf(step);
-    // A cost that the bounds of one step exclude may be reached in several steps.
+    // A cost that the bounds exclude for one step may still be reached in several steps.
     const bool hopeless =
         iteration > 0 && promise > limits.reach && !(promiseOf(solve(blocks.sum, all)) <= limits.reach);
     const bool too_slow = place.cost - promise < kSlow * (place.cost - limits.needed);
     if (hopeless || too_slow || place.cost - promise < kEnoughGain * place.cost || !improve(hypothesis, step, place)) {
       break;
     }
-    // Terms that the first step sets to 0 are omitted afterwards: their force would have to be simulated in each step.
+    // Terms that the first step sets to 0 are omitted afterwards, because each step would have to simulate them.
     std::vector<bool> active(hypothesis.terms.size());
     for (std::size_t t = 0; t < active.size(); ++t) {
       active[t] = hypothesis.terms[t].additive || place.parameters.scales[static_cast<Eigen::Index>(t)] != 0.0;
@@ -187,8 +187,8 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
   if (hypothesis.free_in_log.ofTerms()) {
     takeCommon(hypothesis, blocks, further, result.parameters);
   }
-  // At the end of a fit a further step does not reduce the cost, because the law does not follow its linearisation; so
-  // blocks are predicted without this step.
+  // At the end of a fit a further step no longer reduces the cost, because the law deviates from its linearisation.
+  // Blocks are then predicted without this step.
   const Eigen::VectorXd not_taken = limits.about_its_end ? further : Eigen::VectorXd::Zero(further.size());
   const std::vector<double> errors =
       crossValidate(blocks, [&](const Eigen::MatrixXd& gram) { return Eigen::VectorXd(step(gram) - not_taken); });
@@ -197,15 +197,14 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
     result.blocks.push_back({errors[b], blocks.weight[b], blocks.record[b]});
     held_out += errors[b] * blocks.weight[b];
   }
-  // Held-out errors are less than those of the fit only by chance; they are then raised to those of the fit.
+  // Held-out errors are smaller than those of the fit only by chance. They are then raised to the errors of the fit.
   if (const double fitted = result.gap * result.gap; limits.about_its_end && held_out > 0.0 && held_out < fitted) {
     for (gap::PartError& block : result.blocks) {
       block.error *= fitted / held_out;
     }
     held_out = fitted;
   }
-  // A law without a finite force in some log (a series compliance about a softening component) does not explain the
-  // log.
+  // A law without a finite force in a log (a series compliance about a softening component) does not explain the log.
   result.held_out = std::isfinite(held_out) ? std::sqrt(held_out) : std::numeric_limits<double>::infinity();
   result.chi_squared = model().departures(result.parameters.model).squaredNorm();
   result.departure = one_deviation_ * std::sqrt(result.chi_squared);

@@ -1,4 +1,4 @@
-// Simultaneous fits of a model's parameters and the effects of a hypothesis, to logs or to a table.
+// Fits of a model's parameters together with the effects of a hypothesis, to logs or to a table.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,40 +19,40 @@ namespace rubber_suspension::fit {
 /// A fitted hypothesis. Gaps are RMS residuals in units of the standard deviation of the force.
 struct Fit {
   ParameterVector parameters;
-  double gap = std::numeric_limits<double>::infinity();  ///< in sample
+  double gap = std::numeric_limits<double>::infinity();  ///< gap on the samples of the fit
   double chi_squared = 0.0;  ///< departure of the model from prior knowledge (ModelParameters::departures())
-  double departure = 0.0;    ///< the departure as a gap
-  /// Gap on blocks that took no part in the fit, by cross validation.
+  double departure = 0.0;    ///< `chi_squared` expressed as a gap
+  /// Gap on blocks that were held out of the fit, by cross validation.
   double held_out = std::numeric_limits<double>::infinity();
   std::vector<gap::PartError> blocks;  ///< held-out errors of these blocks
 
-  /// Returns held-out gap and departure combined, by which fits compete.
+  /// Returns held-out gap and departure combined. Fits are compared by this value.
   double score() const { return std::hypot(held_out, departure); }
 };
 
-/// The longest step of the logarithm of a model parameter: the force is far from linear in a longer one.
+/// Largest change of the logarithm of a model parameter in one step; in a longer one the force is far from linear.
 constexpr double kLongestStep = 0.4;
 
 /// Termination of a fit.
 struct FitLimits {
   int iterations = 0;
-  /// The fit ends if even its linearisation predicts a gap above this.
+  /// The fit ends if even its linearisation predicts a larger gap.
   double reach = std::numeric_limits<double>::infinity();
-  std::vector<bool> active = {};  ///< terms that may move in the first step; empty: all
+  std::vector<bool> active = {};  ///< terms that may change in the first step; empty for all
   /// The fit ends if its steps are too small to reach this gap.
   double needed = std::numeric_limits<double>::infinity();
   int threads = 1;
-  /// Held-out blocks are predicted about the end of the fit; otherwise about the point to which a further step would
-  /// lead, which estimates the optimum of a fit that has run out of steps.
+  /// If true, held-out blocks are predicted at the last point of the fit. If false, they are predicted at the point
+  /// that a further step would reach, which estimates the optimum of a fit that ran out of steps.
   bool about_its_end = false;
 };
 
 /// Fits hypotheses to measurements: Gauss-Newton steps within bounds, and cross validation by blocks. A derived class
 /// defines the measurement and the residual. Thread-safe once constructed; the model has to outlive it.
 ///
-/// Model parameters are free, but prior knowledge of the component counts like a measurement: a departure by one
+/// Model parameters are fitted, but prior knowledge of the component counts like a measurement: a departure of one
 /// standard deviation costs as much as a certain gap, whatever the noise. Parameters that the measurement does not
-/// determine therefore stay as specified.
+/// determine therefore keep their specified values.
 class HypothesisFitter {
  public:
   virtual ~HypothesisFitter() = default;
@@ -61,45 +61,45 @@ class HypothesisFitter {
 
   const ModelParameters& model() const { return model_; }
 
-  /// Returns the parameter vector without changes and effects.
+  /// Returns the parameter vector of the configured model without effects.
   ParameterVector configured(const Hypothesis& hypothesis) const;
 
-  /// Returns the normal equations about a parameter vector. Throws std::invalid_argument if the model has no solution
-  /// there. Terms that are not `active` get a column of zeros, so that they do not change; empty: all are active.
+  /// Returns the normal equations at a parameter vector. `active`: terms that may change, empty for all; the columns of
+  /// other terms are zero. Throws std::invalid_argument if the model has no solution there.
   BlockGrams linearise(const Hypothesis& hypothesis, const ParameterVector& parameters,
                        const std::vector<bool>& active = {}, int threads = 1) const {
     return linearise(hypothesis, startAt(hypothesis, parameters), active, threads);
   }
 
-  /// Returns the normal equations by folds, for each entry of `free`, which is then free in each log.
+  /// Returns normal equations by folds, one for each entry of `free`, the nuisance parameters fitted to each log.
   std::vector<BlockGrams> lineariseFolds(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                          const std::vector<PerLogNuisances>& free, int threads) const {
     return linearise(hypothesis, startAt(hypothesis, parameters), {{}, free, Kept::folds, threads});
   }
 
-  /// Fits by Gauss-Newton steps within the bounds, from a start.
+  /// Fits by Gauss-Newton steps within the bounds, beginning at `start`.
   Fit fit(const Hypothesis& hypothesis, const ParameterVector& start, const FitLimits& limits) const;
 
   /// Fits the model alone and returns the best fit from all its starts (ModelParameters::starts()).
   Fit fitAlone(const FitLimits& limits) const;
 
-  /// Fits the scales alone: model parameters are kept and nothing is free in a log. Terms that refine are kept in the
-  /// first step.
+  /// Fits only the scales: model parameters are kept, and no nuisance parameter is fitted. In the first step, terms
+  /// that refine are also kept.
   ParameterVector scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start, int iterations) const;
 
   /// Returns the gap at a parameter vector, without a fit; infinite if the model has no solution there.
   double gapAt(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
-  /// Frees offsets of the displacement if they change the force of a hypothesis at a parameter vector.
+  /// Adds displacement offsets to the hypothesis if they change its force at a parameter vector.
   virtual void freeZeros(const ParameterVector& /*parameters*/, Hypothesis& /*hypothesis*/) const {}
 
-  /// Frees a factor on the friction of each log, with the friction at a parameter vector; does nothing for a table.
+  /// Adds a factor on the friction of each log, simulated at a parameter vector. Does nothing for a table.
   virtual void freeFactors(const ParameterVector& /*parameters*/, Hypothesis& /*hypothesis*/) const {}
 
-  /// Returns the gap that counts as much as a departure of one standard deviation.
+  /// Returns the gap that counts as much as a departure of one standard deviation from prior knowledge.
   double oneDeviation() const { return one_deviation_; }
 
-  /// Returns bounds on a step from a parameter vector: model parameters, terms, nuisance parameters of each log.
+  /// Returns bounds on a step from a parameter vector: model parameters, terms, and nuisance parameters of each log.
   numerics::Limits stepBounds(const Hypothesis& hypothesis, const ParameterVector& parameters,
                               Eigen::Index unknowns) const;
 
@@ -108,8 +108,8 @@ class HypothesisFitter {
 
   /// Options of a linearisation.
   struct Linearised {
-    std::vector<bool> active;           ///< terms whose columns are computed, the others are 0; empty: all
-    std::vector<PerLogNuisances> free;  ///< nuisance parameters of each log; one result for each entry
+    std::vector<bool> active;           ///< terms whose columns are computed, others are 0; empty for all
+    std::vector<PerLogNuisances> free;  ///< nuisance parameters of each log; one result per entry
     Kept kept;
     int threads;
   };
@@ -120,7 +120,7 @@ class HypothesisFitter {
                                               const ParameterVector& parameters) const = 0;
   /// Returns the gap of a hypothesis with these forces.
   virtual double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const = 0;
-  /// Returns the normal equations about parameters whose forces are `base`, without the prior of model parameters.
+  /// Returns the normal equations at parameters whose forces are `base`, without the prior of model parameters.
   virtual std::vector<BlockGrams> normalEquationsAbout(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                                        const gap::Forces& base, const Linearised& how) const = 0;
 
@@ -136,14 +136,14 @@ class HypothesisFitter {
   }
   std::vector<BlockGrams> linearise(const Hypothesis& hypothesis, const Place& place, const Linearised& how) const;
   Place placeAt(const Hypothesis& hypothesis, ParameterVector parameters) const;
-  /// Returns the point at a vector; throws std::invalid_argument if the model has no solution there.
+  /// Returns the point of a parameter vector. Throws std::invalid_argument if the model has no solution there.
   Place startAt(const Hypothesis& hypothesis, const ParameterVector& start) const;
-  /// Moves by a step, or by part of it; returns false if none improves the fit noticeably.
+  /// Moves by a step or a part of it. Returns false if no part improves the fit noticeably.
   bool improve(const Hypothesis& hypothesis, const Eigen::VectorXd& step, Place& place) const;
-  /// Iterates until a step improves the fit too little or a limit is reached, and returns the normal equations there.
-  /// `longest`: largest change of the logarithm of a model parameter in one step.
+  /// Iterates until a step improves the fit too little or a limit is reached, and returns the normal equations at this
+  /// point. `longest`: largest change of the logarithm of a model parameter in one step.
   BlockGrams descend(const Hypothesis& hypothesis, const FitLimits& limits, double longest, Place& place) const;
-  /// Returns the parameters after a step; scales stay within their bounds, and negligible ones become 0.
+  /// Returns the parameters after a step. Scales stay within their bounds, and negligible scales become 0.
   static ParameterVector moved(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                const Eigen::VectorXd& step);
 

@@ -19,7 +19,7 @@ double scaleOf(const ParameterVector& parameters, std::size_t term) {
   return parameters.scales[static_cast<Eigen::Index>(term)];
 }
 
-// Adds the forces of the terms of the rig, or those of all others, to the force of a log.
+// Adds the forces of all terms on the rig (`on_rig`), or of all other terms, to the force of a log.
 void addForces(const Hypothesis& hypothesis, const ParameterVector& parameters, bool on_rig, std::size_t record,
                Eigen::VectorXd& force) {
   for (std::size_t t = 0; t < hypothesis.terms.size(); ++t) {
@@ -43,7 +43,7 @@ void soften(const Hypothesis& hypothesis, const ParameterVector& parameters, std
   }
 }
 
-// Entries of the law of a hypothesis. Numbers that are fitted separately may form a combination that the law refuses.
+// Returns the entries of the law of a hypothesis; nullopt if the law rejects the combination of fitted numbers.
 std::optional<std::vector<element::ElementDescription>> lawOf(const Hypothesis& hypothesis,
                                                               const ParameterVector& parameters) {
   std::vector<element::ElementDescription> entries;
@@ -58,7 +58,7 @@ std::optional<std::vector<element::ElementDescription>> lawOf(const Hypothesis& 
   }
 }
 
-// Records with the displacement behind elements that only change it: the force of a spring of 1 N/m behind these.
+// Returns records with the displacement behind the elements of `path`, which is the force of a spring of 1 N/m there.
 std::vector<gap::PreparedRecord> displacedBy(std::vector<element::ElementDescription> path,
                                              const std::vector<gap::PreparedRecord>& records) {
   path.push_back({"spring", {{"stiffness", {1.0}}}});
@@ -143,7 +143,7 @@ bool HypothesisForces::isKnown(const BasisTerm& term, const Interaction& interac
 }
 
 std::optional<gap::Forces> HypothesisForces::at(const Hypothesis& hypothesis, const ParameterVector& parameters) const {
-  // Terms known by their unit effect are added or multiplied; the others have to be simulated.
+  // Terms with a known unit effect are added or multiplied; all other terms are simulated.
   const Interaction interaction = interactionOf(hypothesis, parameters);
   ParameterVector rest = parameters;
   ParameterVector known = parameters;
@@ -202,8 +202,8 @@ ForceColumn HypothesisForces::moved(const Place& place, Eigen::VectorXd Paramete
   }));
 }
 
-// Returns the entries of the nonzero terms that act on the displacement, if all other terms follow from unit effects
-// behind them; otherwise, and for excerpts, whose lead-in has a time step of its own, returns nothing.
+// Returns the entries of the nonzero terms that act on the displacement if all other terms follow from unit effects
+// behind them. Otherwise, and for excerpts, whose lead-in has its own time step, returns an empty vector.
 std::vector<element::ElementDescription> HypothesisForces::pathOf(const Place& place) const {
   if (!records_ || place.hypothesis.law || !place.interaction.displaces || of_model_.displaces || of_model_.scales ||
       of_model_.on_rig || std::any_of(records().begin(), records().end(), [](const log::Record& record) {
@@ -232,7 +232,7 @@ std::vector<element::ElementDescription> HypothesisForces::pathOf(const Place& p
   return path;
 }
 
-// Behind a delay or a free play all other terms follow from unit effects again, those for the changed displacement.
+// Behind a delay or a free play, other terms follow again from unit effects, computed for the changed displacement.
 std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::ElementDescription> path,
                                                          const Place& place, const std::vector<bool>& active,
                                                          int threads) const {
@@ -272,7 +272,7 @@ std::vector<ForceColumn> HypothesisForces::columnsBehind(std::vector<element::El
     if (!isKnownBehind(t)) {
       columns[size + t] = termColumn(place, t);
     } else {
-      // The unit effect of an additive term is not needed for other terms, and would only use memory.
+      // The unit effect of an additive term is not needed for other terms and would only use memory.
       ForceColumn effect = !atWork(t)       ? columnOf(effectOfEntry(term, behind))
                            : term.softening ? term.unit_effect
                                             : std::move(term.unit_effect);
@@ -313,8 +313,8 @@ std::vector<ForceColumn> HypothesisForces::columns(const Hypothesis& hypothesis,
   return columns;
 }
 
-// If a term's unit effect is known, the force is linear in its scale. If other terms displace the component, this is
-// only approximate, but good enough to decide whether a term of scale 0 is worth a step.
+// The force is linear in the scale of a term with a known unit effect. If other terms displace the component, this is
+// an approximation, which suffices to decide whether a term of scale 0 is worth a step.
 ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term, ForceColumn unit_effect) {
   const BasisTerm& basis_term = place.hypothesis.terms[term];
   if (basis_term.on_rig || !(basis_term.softening || place.interaction.softens)) {

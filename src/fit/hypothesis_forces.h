@@ -21,14 +21,14 @@ std::optional<std::vector<element::ElementDescription>> elementsOf(const ModelPa
                                                                    const Hypothesis& hypothesis,
                                                                    const ParameterVector& parameters);
 
-/// Force of elements over each of some motions [N].
+/// Returns the force of elements over each of several motions [N].
 using Motions = std::function<gap::Forces(const std::vector<element::ElementDescription>& elements)>;
 
 /// Simulates hypotheses about one model over logs or over other motions. Thread-safe once constructed; the model has to
 /// outlive it.
 class HypothesisForces {
  public:
-  /// For motions that are not logs: there are no records(), and unit effects of terms have to be those for the motions.
+  /// For motions that are not logs, without records(). Unit effects of terms have to be those for the motions.
   HypothesisForces(Motions motions, const ModelParameters& model);
   HypothesisForces(std::shared_ptr<const std::vector<gap::PreparedRecord>> records, const ModelParameters& model);
   HypothesisForces(std::vector<gap::PreparedRecord> records, const ModelParameters& model)
@@ -37,29 +37,29 @@ class HypothesisForces {
   const std::vector<gap::PreparedRecord>& records() const { return *records_; }
   const ModelParameters& model() const { return model_; }
 
-  /// Returns true if the force of the model is the sum of those of its elements.
+  /// Returns true if the force of the model is the sum of the forces of its elements.
   bool isAdditive() const { return !of_model_.displaces && !of_model_.scales; }
 
-  /// Returns the force of each log [N]; nullopt if elementsOf() is.
+  /// Returns the force of each log [N]; nullopt if elementsOf() returns nullopt.
   std::optional<gap::Forces> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
-  /// Returns the force of each log minus that with other scales of the same terms [N]. Throws std::invalid_argument if
-  /// the model has no solution.
+  /// Returns the force of each log minus its force with other scales of the same terms [N]. Throws
+  /// std::invalid_argument if the model has no solution.
   gap::Forces moreThanWith(const Eigen::VectorXd& scales, const Hypothesis& hypothesis,
                            const ParameterVector& parameters) const;
 
-  /// Returns the derivatives by all model parameters, then by all terms; null for terms that are not `active` (empty:
-  /// all are). `base`: the forces at the parameters.
+  /// Returns the derivatives with respect to all model parameters, then to all terms. They are null for terms that are
+  /// not `active` (empty: all are active). `base`: the forces at the parameters.
   std::vector<ForceColumn> columns(const Hypothesis& hypothesis, const ParameterVector& parameters,
                                    const std::vector<bool>& active, const gap::Forces& base, int threads) const;
 
  private:
-  /// Effects due to which the force is not the sum of those of the elements.
+  /// Effects that make the force differ from the sum of the forces of the elements.
   struct Interaction {
     bool displaces = false;  ///< elements that change the displacement, and terms that have to be simulated
     bool scales = false;     ///< force effects of the model itself
     bool softens = false;    ///< softening terms
-    bool on_rig = false;     ///< elements of the model that sit on the rig
+    bool on_rig = false;     ///< elements of the model that are on the rig
   };
   /// A point where derivatives are computed.
   struct Place {
@@ -74,9 +74,9 @@ class HypothesisForces {
   /// Returns true if the effect of a term on the force follows from its unit effect, without simulation.
   static bool isKnown(const BasisTerm& term, const Interaction& interaction);
 
-  /// Returns the derivative by the scale of a term; approximate if that is 0 and others displace the component.
+  /// Returns the derivative with respect to a term's scale; approximate if that is 0 and others displace the component.
   ForceColumn termColumn(const Place& place, std::size_t term) const;
-  /// Returns the difference quotient by one of the parameters.
+  /// Returns the difference quotient with respect to one of the parameters.
   ForceColumn moved(const Place& place, Eigen::VectorXd ParameterVector::* part, Eigen::Index parameter,
                     double step) const;
   static ForceColumn knownColumn(const Place& place, std::size_t term, ForceColumn unit_effect);

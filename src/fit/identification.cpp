@@ -28,10 +28,10 @@ namespace {
 using element::refuseIf;
 
 constexpr std::size_t kFewestCompared = 50;  // samples
-constexpr double kTail = 0.025;              // on either side of a 95 % interval
+constexpr double kTail = 0.025;              // probability on either side of a 95 % interval
 constexpr double kDeadBandInStandardDeviations = 6.0;
-constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; below it is rounding, not noise
-constexpr double kSameResidual = 1e-4;      // relative difference up to which starts count as ended at the same optimum
+constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; a smaller one is rounding, not noise
+constexpr double kSameResidual = 1e-4;      // relative difference below which starts ended at the same optimum
 
 void checkLog(const log::Log& log, std::size_t number) {
   const std::size_t size = log.stamp.size();
@@ -72,7 +72,7 @@ void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<log::Lo
   refuseIf(!fits, "rig: the columns do not fit the logs; accepted: columns over all samples of each log");
 }
 
-// The samples of all logs whose force was measured.
+// Returns the samples of all logs at which the force was measured.
 Compared comparedOf(const std::vector<log::Log>& logs) {
   Compared compared;
   std::vector<double> force;
@@ -97,7 +97,7 @@ Compared comparedOf(const std::vector<log::Log>& logs) {
   return compared;
 }
 
-// One search coordinate of each nonlinear unknown.
+// Returns one search coordinate of each nonlinear parameter.
 template <class Coordinate>
 Eigen::VectorXd eachOf(const ForceModel& model, Coordinate coordinate) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(model.nonlinear().size()));
@@ -110,7 +110,7 @@ std::vector<Eigen::VectorXd> startsOf(const ForceModel& model, const Identificat
   std::vector<Eigen::VectorXd> starts = {eachOf(model, [](const Unknown& unknown) {
     return std::clamp(unknown.toSearch(unknown.given), unknown.lower, unknown.upper);
   })};
-  // Without a nonlinear unknown the problem is convex, so that one start suffices.
+  // Without a nonlinear parameter the problem is convex, so that one start suffices.
   const std::size_t count = model.nonlinear().empty() ? 1 : static_cast<std::size_t>(std::max(1, options.starts));
   while (starts.size() < count) {
     starts.push_back(eachOf(model, [&](const Unknown& unknown) {
@@ -121,7 +121,7 @@ std::vector<Eigen::VectorXd> startsOf(const ForceModel& model, const Identificat
   return starts;
 }
 
-// The best of the searches from all starts.
+// Returns the best result of the searches from all starts.
 Eigen::VectorXd searchAll(ForceModel& model, const IdentificationOptions& options, Identification& result) {
   const numerics::Limits limits{eachOf(model, [](const Unknown& unknown) { return unknown.lower; }),
                                 eachOf(model, [](const Unknown& unknown) { return unknown.upper; })};
@@ -169,7 +169,7 @@ IdentifiedParameter identified(const Unknown& unknown, double value, double stan
   if (unknown.logarithmic && value > 0.0) {
     result.lower = value * std::exp(-reach);
     result.upper = value * std::exp(reach);
-  } else if (unknown.logarithmic) {  // at 0: the standard deviation is in units of the given value
+  } else if (unknown.logarithmic) {  // value 0: the standard deviation is in units of the given value
     result.upper = reach * unknown.given;
   } else {
     const double unit = unknown.linear && value != 0.0 ? std::abs(value) : unknown.scale;
@@ -181,7 +181,7 @@ IdentifiedParameter identified(const Unknown& unknown, double value, double stan
   return result;
 }
 
-// Weights of a direction by name, the largest 1. Columns of the rig are no parameters.
+// Returns the weights of a direction by name, of which the largest is 1. Columns of the rig are omitted.
 UndeterminedDirection directionOf(const std::vector<std::string>& names, const Eigen::VectorXd& vector,
                                   double standard_deviation) {
   Eigen::Index largest = 0;
@@ -233,7 +233,7 @@ void describeParameters(const ForceModel& model, const ModelFit& fit, const Cova
   result.undetermined = undeterminedOf(names, covariance);
 }
 
-// Gives friction without dead band one, so that noise of the displacement does not count as reversals.
+// Adds a dead band to friction without one, so that noise of the displacement does not count as reversals.
 void addDeadBands(std::vector<element::ElementDescription>& elements, const std::vector<log::Log>& logs,
                   std::vector<std::string>& notes) {
   const double negligible = kSmallestDeadBand * amplitudeOf(logs) / kDeadBandInStandardDeviations;
@@ -252,7 +252,7 @@ void addDeadBands(std::vector<element::ElementDescription>& elements, const std:
   }
 }
 
-// Removes elements without force, which cannot be built; the others keep their order.
+// Removes elements without force, which cannot be constructed. The other elements keep their order.
 void dropElementsWithoutForce(Identification& result) {
   std::vector<int> new_index(result.elements.size(), -1);
   std::vector<element::ElementDescription> kept;
@@ -295,8 +295,8 @@ void describeFit(Identification& result, ForceModel& model, const ModelFit& fit,
   Covariance covariance = covarianceOf(
       products, ForceModel::ofParameters(fit, projectedCovariance(model.takeColumns(), compared.runs, noise)));
   result.independent_samples = count / std::max(1.0, correlationFactor(noise, residual.squaredNorm() / count));
-  // Each unknown uses up one independent sample, and the variance is itself estimated: Student's distribution with the
-  // remaining samples as degrees of freedom.
+  // Student's distribution is used because the variance is estimated, too. Its degrees of freedom are the independent
+  // samples minus the number of parameters.
   const double left = std::max(1.0, result.independent_samples - static_cast<double>(products.cols()));
   covariance.matrix *= result.independent_samples / left;
   const double quantile = boost::math::quantile(boost::math::complement(boost::math::students_t(left), kTail));
@@ -336,7 +336,7 @@ double noiseStandardDeviation(const std::vector<double>& signal, double negligib
   constexpr double kNormalMedian = 0.6745;  // median of |x| of a standard normal variable
   std::vector<double> values = signal;
   std::vector<double> magnitude;
-  double gain = 1.0;  // variance of the differences of white noise: the binomial coefficient (2 k over k)
+  double gain = 1.0;  // variance of the differences of white noise, the binomial coefficient (2 k over k)
   double smallest = HUGE_VAL;
   for (int order = 1; order <= kHighestOrder && values.size() > 1 && smallest > negligible; ++order) {
     magnitude.clear();

@@ -1,4 +1,4 @@
-// Time-temperature superposition by variable projection: the shifts are searched, the series follows from them.
+// Time-temperature superposition by variable projection: the search varies the shifts, the series follows from them.
 #include "fit/master_curve.h"
 
 #include <fmt/format.h>
@@ -30,17 +30,17 @@ namespace {
 using Eigen::VectorXd;
 using element::ElementDescription;
 
-constexpr double kPerDecade = 2.0;  // elements: they approximate a springpot to 2e-4
-constexpr double kBeyond = 1.5;     // decades of elements beyond the rows
-constexpr double kScan = 0.25;  // decades between coldest and warmest rows, from one start of the search to the next
-constexpr double kStep = 1e-4;  // of decades and logarithms, for difference quotients
-constexpr double kNear = 0.1;   // relative to the amplitude: benches control it more closely
+constexpr double kPerDecade = 2.0;  // elements per decade; they approximate a springpot to 2e-4
+constexpr double kBeyond = 1.5;     // decades of elements beyond those of the rows
+constexpr double kScan = 0.25;      // decades between coldest and warmest rows by which starts of the search differ
+constexpr double kStep = 1e-4;      // step of difference quotients, in decades and logarithms
+constexpr double kNear = 0.1;       // relative to the amplitude; benches control amplitudes more closely
 
 std::shared_ptr<const element::TemperatureShift> shiftOf(const ElementDescription& law) {
   return std::get<std::shared_ptr<const element::TemperatureShift>>(element::makeElement(law));
 }
 
-// Returns the ascending index of each value's level: values that differ by less than `width` from its least.
+// Returns the index of each value's level, ascending. Values of a level differ by less than `width` from its smallest.
 std::vector<std::size_t> levelsOf(const std::vector<double>& values, double width) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -79,13 +79,14 @@ struct Decades {
 
 Decades rangeOf(const VectorXd& values) { return {values.minCoeff(), values.maxCoeff()}; }
 
-// Break frequencies [log10 of Hz] of elements.
+// Returns the break frequencies [log10 of Hz] of elements that are evenly spread over a range.
 VectorXd ladder(Decades range, double per_decade) {
   const auto steps = static_cast<Eigen::Index>(std::ceil((range.high - range.low) * per_decade));
   return VectorXd::LinSpaced(steps + 1, range.low, range.high);
 }
 
-// K* of a spring, then of Maxwell elements, each of 1 N/m, over |K*| of rows: real parts, then imaginary ones.
+// Returns K* of a spring (first column) and of Maxwell elements, all of 1 N/m, over |K*| of rows: real, then imaginary
+// parts.
 Eigen::MatrixXd basisOf(const VectorXd& decades, const VectorXd& scale, const VectorXd& breaks) {
   const Eigen::Index rows = decades.size();
   Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(2 * rows, breaks.size() + 1);
@@ -100,7 +101,7 @@ Eigen::MatrixXd basisOf(const VectorXd& decades, const VectorXd& scale, const Ve
   return basis;
 }
 
-// Returns the stiffnesses of least squares, none of them negative.
+// Returns the nonnegative stiffnesses that fit best by least squares.
 VectorXd stiffnessesOf(const Eigen::MatrixXd& basis, const VectorXd& measured) {
   return numerics::nonNegativeLeastSquares(basis.transpose() * basis, basis.transpose() * measured,
                                            std::vector<bool>(static_cast<std::size_t>(basis.cols()), false));
@@ -111,7 +112,7 @@ struct Group {
   std::vector<Eigen::Index> rows;
   VectorXd frequencies;  // log10 of Hz
   VectorXd scale;        // |K*| [N/m]
-  VectorXd measured;     // K*/|K*|: real parts, then imaginary ones
+  VectorXd measured;     // K*/|K*|: real parts, then imaginary parts
 
   Group(const std::vector<TablePoint>& points, std::vector<Eigen::Index> of) : rows(std::move(of)) {
     const auto size = static_cast<Eigen::Index>(rows.size());
@@ -140,10 +141,10 @@ std::vector<Group> groupsOf(const std::vector<TablePoint>& points) {
   return element::each(rows, [&](const auto& group) { return Group(points, group.second); });
 }
 
-// log10 a_T and ln b_T of each row.
+// log10 a_T (shift of frequency) and ln b_T (shift of stiffness) of each row.
 using Moves = Eigen::MatrixX2d;
 
-// Shifts of the rows as a function of a few unknowns. Throws std::invalid_argument for unknowns without shifts.
+// Returns the shifts of the rows as a function of a few parameters. Throws std::invalid_argument if there are none.
 using Shifting = std::function<Moves(const VectorXd& unknowns)>;
 
 struct Shifted {
@@ -151,8 +152,8 @@ struct Shifted {
   VectorXd deviations;
   Moves moves;
   double misfit = 0.0;       // RMS over the rows
-  double information = 0.0;  // Bayesian criterion
-  bool inside = true;        // no unknown is at its limit
+  double information = 0.0;  // Bayesian information criterion
+  bool inside = true;        // no parameter is at its limit
 };
 
 class Superposition {
@@ -212,12 +213,12 @@ class Superposition {
 
  private:
   struct Level {
-    double temperature = 0.0;  // mean [degC]
+    double temperature = 0.0;  // mean of its rows [degC]
     std::size_t rows = 0;
     Decades frequencies;
   };
 
-  // [J/mol], of decades between the coldest and the warmest rows.
+  // Returns the activation energy [J/mol] for decades between the coldest and the warmest rows.
   double energyOf(double decades) const {
     return decades * std::log(10.0) * element::kGasConstant /
            (inverseOf(levels_.front().temperature) - inverseOf(levels_.back().temperature));
@@ -243,8 +244,8 @@ class Superposition {
     return moves;
   }
 
-  // The largest shift by Arrhenius with which the frequencies of neighbouring temperatures overlap, in decades between
-  // the coldest and the warmest: any shift beyond it fits, because the curves do not meet.
+  // Returns the largest Arrhenius shift, in decades from coldest to warmest, with which frequencies of neighbouring
+  // temperatures overlap. Beyond it the curves do not meet, so that any shift fits.
   double largestShift() const {
     const double whole = inverseOf(levels_.front().temperature) - inverseOf(levels_.back().temperature);
     double largest = std::numeric_limits<double>::infinity();
@@ -278,8 +279,8 @@ class Superposition {
     return {rows.low - kBeyond, rows.high + kBeyond};
   }
 
-  // Correlation of neighbours in frequency at one temperature: variance of their sum over that of white residuals, for
-  // an autoregression of the first order.
+  // Returns the variance of sums of residuals relative to white residuals, with a first-order autoregression for
+  // neighbours in frequency at one temperature.
   double correlationOf(const VectorXd& residual) const {
     double products = 0.0;
     Eigen::Index first = 0;
@@ -301,7 +302,7 @@ class Superposition {
       }
       first += 2 * size;
     }
-    constexpr double kMost = 0.9;  // more cannot be determined from the ten or so rows of a sweep
+    constexpr double kMost = 0.9;  // a sweep of about ten rows cannot determine more
     const double correlation = std::clamp(products / residual.squaredNorm(), 0.0, kMost);
     return (1.0 + correlation) / (1.0 - correlation);
   }
@@ -351,12 +352,12 @@ class Superposition {
   }
 
   std::optional<Shifted> byWlf(double energy) const {
-    constexpr double kSlowest = 0.1;  // C_1
-    constexpr double kMost1 = 100.0;  // of the element
+    constexpr double kSlowest = 0.1;  // lower limit of C_1
+    constexpr double kMost1 = 100.0;  // upper limit of C_1 in the element
     constexpr double kMost2 = 1000.0;
     const double below = std::max(0.0, reference_ - levels_.front().temperature);
     const double absolute = reference_ + element::kZeroCelsius;
-    // d log10 a_T/dT at the reference is -C_1/C_2.
+    // At the reference temperature d log10 a_T/dT is -C_1/C_2, the constants of Williams, Landel and Ferry.
     const double slope = energy / (std::log(10.0) * element::kGasConstant * absolute * absolute);
     const numerics::Limits limits{Eigen::Vector2d(std::log(kSlowest), std::log(below + kLeastTemperatureRange)),
                                   Eigen::Vector2d(std::log(kMost1), std::log(kMost2))};
@@ -368,7 +369,7 @@ class Superposition {
         if (!best || found.misfit < best->misfit) {
           best = std::move(found);
         }
-      } catch (const std::invalid_argument&) {  // these constants do not reach the coldest rows
+      } catch (const std::invalid_argument&) {  // these constants do not extend to the coldest rows
       }
     }
     return best;
@@ -381,10 +382,10 @@ class Superposition {
     return static_cast<std::size_t>(std::min_element(levels_.begin(), levels_.end(), nearer) - levels_.begin());
   }
 
-  // The middle level keeps its shift by the law. `vertically`: b_T is free, too.
+  // Shifts each temperature separately; the middle one keeps the shift of the law. `vertically`: b_T is fitted, too.
   Shifted byThemselves(const Moves& by_law, bool vertically) const {
-    constexpr double kFar = 1.5;   // decades
-    constexpr double kMost = 0.7;  // of ln b_T
+    constexpr double kFar = 1.5;   // limit in decades
+    constexpr double kMost = 0.7;  // limit of ln b_T
     const auto levels = static_cast<Eigen::Index>(levels_.size());
     Moves of_levels = Moves::Zero(levels, 2);
     for (std::size_t r = 0; r < level_of_.size(); ++r) {
@@ -423,7 +424,7 @@ class Superposition {
       curve.shifts.push_back(
           {levels_[l].temperature, free.moves(row, 0), l == middle() ? 0.0 : free.deviations[next++]});
     }
-    // Shifts are relative to the middle level, which the law shifts by this.
+    // Found shifts are relative to the middle temperature, so the law's shift of that temperature is added.
     const double there = curve.shifts[middle()].decades;
     const double offset = curve.decadesAt(levels_[middle()].temperature) - there;
     for (FoundShift& shift : curve.shifts) {
@@ -432,21 +433,21 @@ class Superposition {
   }
 
   double reference_;
-  std::vector<double> temperatures_;  // of each row
+  std::vector<double> temperatures_;  // temperature of each row
   std::vector<Group> groups_;
   VectorXd frequencies_;               // log10 of Hz
-  std::vector<std::size_t> level_of_;  // each row
-  std::vector<Level> levels_;          // from cold to warm
+  std::vector<std::size_t> level_of_;  // level of each row
+  std::vector<Level> levels_;          // ordered from cold to warm
 };
 
 ElementDescription spring(double stiffness) { return {"spring", {{"stiffness", {stiffness}}}}; }
 
-// Share of the stiffness that replaces 0, which elements do not accept; too small to be noticed in a fit.
+// Share of the stiffness that replaces 0, which elements reject. It is too small to affect a fit.
 constexpr double kNothing = 1e-4;
 
 std::vector<ElementDescription> prony(const std::vector<TablePoint>& points, const VectorXd& decades,
                                       const VectorXd& scale, const VectorXd& measured) {
-  constexpr double kToEnds = 0.5;  // decades beyond the rows, so that there is an element on either side of each
+  constexpr double kToEnds = 0.5;  // decades beyond the rows, so that an element lies on either side of each row
   const Decades range = rangeOf(decades);
   const VectorXd breaks = ladder({range.low - kToEnds, range.high + kToEnds}, 1.0);
   const VectorXd stiffnesses = stiffnessesOf(basisOf(decades, scale, breaks), measured);

@@ -1,4 +1,4 @@
-// Parameters of a model as unknowns.
+// Parameters of a model as parameters of a fit.
 #include "fit/model_parameters.h"
 
 #include <fmt/format.h>
@@ -14,13 +14,13 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// Largest ratios to the configured values.
+// Largest ratios of fitted to configured values.
 constexpr double kLargestRatio = 3.0;
 constexpr double kLargestOfElement = 10.0;
 constexpr double kLargestOfLadder = 100.0;
-constexpr double kOwnDeviation = 0.3;  // of the logarithm of a value of an element, which no data sheet states
+constexpr double kOwnDeviation = 0.3;  // standard deviation of ln(element's value), which no data sheet states
 
-// The component as elements alone. The shift with temperature remains as it is, because no fit changes it.
+// Returns the component as a list of elements. The shift with temperature is kept, because no fit changes it.
 io::ComponentDescription asElements(const io::ComponentDescription& description) {
   io::ComponentDescription unshifted = description;
   unshifted.temperature.reset();
@@ -86,9 +86,9 @@ void ModelParameters::addRelaxation() {
     }
   };
   const double usual = largestRatio();
-  // A static curve was measured, so that it is not changed.
+  // A static curve was measured, so that the fit does not change it.
   addFree(description_.specification().curve() == nullptr, "static_stiffness", &Relaxation::static_stiffness, usual);
-  // By its data sheet this stiffness may be nearly 0.
+  // The data sheet may state a relaxing stiffness of nearly 0.
   addFree(true, "relaxing_stiffness", &Relaxation::relaxing_stiffness,
           std::max(kLargestOfLadder, kLargestRatio * relaxation.static_stiffness / relaxation.relaxing_stiffness));
   addFree(true, "break_frequency", &Relaxation::break_frequency, kLargestOfLadder);
@@ -131,7 +131,7 @@ void ModelParameters::addElements(std::vector<element::ElementDescription> Point
   }
 }
 
-// Adds the known numbers of the model: all that a sheet states, except inputs that the model does not use.
+// Adds all numbers that the data sheet states, except inputs that the model does not use.
 void ModelParameters::addKnown(std::size_t of_base) {
   using estimation::Model;
   const Point point = configured_;
@@ -185,8 +185,8 @@ Eigen::MatrixXd ModelParameters::departureSlopes(const Eigen::VectorXd& logarith
 }
 
 std::vector<Eigen::VectorXd> ModelParameters::starts() const {
-  constexpr double kLeaning = 5.0;  // of alpha
-  constexpr double kUsual = 0.3;    // of relaxing over static stiffness
+  constexpr double kLeaning = 5.0;  // ratio alpha of neighbouring stiffnesses
+  constexpr double kUsual = 0.3;    // ratio of relaxing to static stiffness
   std::vector<Eigen::VectorXd> starts = {Eigen::VectorXd::Zero(size())};
   const auto start = [&](const char* name, double ratio) {
     const auto place = std::find(names_.begin(), names_.end(), name);
@@ -215,7 +215,7 @@ ModelParameters::Point ModelParameters::movedBy(const Eigen::VectorXd& logarithm
 
 ModelParameters::Point ModelParameters::pointAt(const Eigen::VectorXd& logarithms) const {
   if (logarithms.isZero(0.0)) {
-    return configured_;  // to the last bit
+    return configured_;  // bit by bit
   }
   Point point = movedBy(logarithms);
   if (point.relaxation.elements > 0) {
@@ -224,7 +224,7 @@ ModelParameters::Point ModelParameters::pointAt(const Eigen::VectorXd& logarithm
   return point;
 }
 
-// Complex stiffness of the elements: the inverse of Eqs. 18 to 21 of Polach (IAVSD 2015).
+// Returns the complex stiffness of the elements by the inverse of Eqs. 18 to 21 of Polach (IAVSD 2015).
 std::complex<double> ModelParameters::Relaxation::stiffnessAt(double frequency) const {
   double weights = 0.0;
   double weight = 1.0;
@@ -233,7 +233,7 @@ std::complex<double> ModelParameters::Relaxation::stiffnessAt(double frequency) 
   }
   std::complex<double> stiffness(static_stiffness, 2.0 * element::kPi * frequency * damping);
   double corner = break_frequency;
-  weight = 1.0;  // of the fastest element, i = n_M
+  weight = 1.0;  // weight of the fastest element
   for (std::size_t i = 0; i < elements; ++i) {
     const std::complex<double> ratio(0.0, frequency / corner);
     stiffness += relaxing_stiffness * weight / weights * ratio / (1.0 + ratio);
@@ -258,10 +258,10 @@ double ModelParameters::sheetNumber(const Point& point, const std::string& key) 
          : key == "low_frequency"            ? relaxation.lowFrequency()
          : key == "break_frequency"          ? relaxation.break_frequency
          : key == "loss_angle"               ? std::arg(nominal)
-                                             : 0.5 * nominal.imag() / nominal.real();  // relative_damping
+                                             : 0.5 * nominal.imag() / nominal.real();
 }
 
-// The specification of a relaxation: the inverse of Eq. 17.
+// Sets the specification of a relaxation by the inverse of Eq. 17 of Polach.
 void ModelParameters::specify(Point& point) const {
   const Relaxation& relaxation = point.relaxation;
   estimation::Specification& specification = point.specification;
@@ -291,7 +291,7 @@ void ModelParameters::specify(Point& point) const {
 
 io::ComponentDescription ModelParameters::apply(const Eigen::VectorXd& logarithms) const {
   if (logarithms.isZero(0.0)) {
-    return description_;  // as configured, to the last bit
+    return description_;  // unchanged bit by bit
   }
   Point point = pointAt(logarithms);
   io::ComponentDescription result =

@@ -1,4 +1,4 @@
-// The parameters that a model already has, as unknowns of a fit.
+// The parameters that a model already has, as parameters of a fit.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,28 +14,28 @@
 
 namespace rubber_suspension::fit {
 
-/// The numbers that a fit varies.
+/// The kind of numbers that a fit varies.
 enum class Level {
-  specification,  ///< numbers of the user: K_st, K_n, K_max, f_h, ...; for a list of elements, all their parameters
-  elements,       ///< those of the estimated elements: every stiffness, every break frequency
+  specification,  ///< numbers of the user, such as the static stiffness; for a list of elements, all their parameters
+  elements,       ///< numbers of the estimated elements: every stiffness, every break frequency
 };
 
 /// A number that is known before any measurement.
 struct KnownNumber {
-  std::string name;  ///< a key of the specification, or of a parameter of an element
-  double logarithm;  ///< of the known value
+  std::string name;  ///< key of the specification, or of a parameter of an element
+  double logarithm;  ///< logarithm of the known value
   double deviation;  ///< standard deviation of the logarithm
-  bool of_sheet;     ///< else of a single element
-  bool of_base;      ///< of the sheet or the listed elements, not of an added element
+  bool of_sheet;     ///< true for a number of the data sheet, false for a parameter of an element
+  bool of_base;      ///< true for the data sheet or the listed elements, false for an added element
 };
 
-/// Parameters of a model as logarithms of their ratios to the configured values, so that 0 is "as configured".
+/// Parameters of a model as logarithms of their ratios to the configured values. At 0 all values are as configured.
 ///
-/// Most combinations of the stiffnesses of a specification have no model. The models of springs, dashpots and Maxwell
-/// elements are therefore varied in coordinates in which every point has one (static stiffness, relaxing stiffness
-/// K_max - K_st, ratio alpha of neighbouring elements, frequencies, damping); the specification follows from them.
-/// Other models are varied in the numbers of their specification. The point of operation (nominal frequency and
-/// amplitude) and counts are fixed.
+/// Most combinations of the stiffnesses of a specification have no model. Models of springs, dashpots and Maxwell
+/// elements are therefore varied in coordinates in which every point has a model: static stiffness, relaxing stiffness
+/// K_max - K_st, ratio alpha of the stiffnesses of neighbouring elements, frequencies, damping. The specification
+/// follows from these. Other models are varied in the numbers of their specification. Nominal frequency and amplitude,
+/// and counts, are fixed.
 class ModelParameters {
  public:
   ModelParameters(const io::ComponentDescription& description, Level level);
@@ -43,55 +43,56 @@ class ModelParameters {
   Eigen::Index size() const { return static_cast<Eigen::Index>(names_.size()); }
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Bounds on |logarithm| of the parameters: a factor of 3 for specified numbers, beyond which it is another
-  /// component, and 10 for values of single elements, which can replace each other, or two standard deviations if that
-  /// is more; 100 for alpha, relaxing stiffness, break frequency and damping, which sheets do not state directly.
+  /// Returns bounds on |logarithm| of the parameters. Specified numbers vary by a factor of 3, beyond which it is
+  /// another component. Values of single elements, which can replace each other, vary by 10. Two standard deviations
+  /// apply if more. Numbers that no data sheet states directly (alpha, relaxing stiffness, break frequency, damping)
+  /// vary by 100.
   const Eigen::VectorXd& bounds() const { return bounds_; }
 
-  /// Returns the largest ratio by which a number of the sheet may be wrong: two standard deviations of the least
-  /// certain one, but at least 3.
+  /// Returns the largest factor by which a number of the data sheet may be wrong: two standard deviations of the least
+  /// certain number, but at least 3.
   double largestRatio() const;
 
-  /// Returns the numbers that are known beforehand: those of the sheet, then values of single elements.
+  /// Returns the numbers that are known beforehand: first those of the data sheet, then parameters of single elements.
   const std::vector<KnownNumber>& known() const { return known_; }
 
-  /// Returns the deviation of each known number in standard deviations of its logarithm; the squares add up to chi^2.
-  /// Defined for any point, even one without a component.
+  /// Returns the departure of each known number from its known value, in standard deviations of its logarithm. The
+  /// squares add up to chi^2. Defined also for points without a component.
   Eigen::VectorXd departures(const Eigen::VectorXd& logarithms) const;
 
-  /// Returns the derivatives of departures() by the logarithms, a row for each known number.
+  /// Returns the derivatives of departures() with respect to the logarithms; each row belongs to a known number.
   Eigen::MatrixXd departureSlopes(const Eigen::VectorXd& logarithms) const;
 
-  /// Returns starts of fits: as configured, with the Maxwell stiffness concentrated at either end of its band, and with
-  /// a usual relaxing stiffness if that of the sheet is nearly 0.
+  /// Returns starting points of fits: as configured, with the Maxwell stiffness concentrated at either end of its
+  /// frequency band, and with a usual relaxing stiffness if the data sheet implies nearly 0.
   std::vector<Eigen::VectorXd> starts() const;
 
-  /// Returns true if only the order of magnitude is known of all numbers of the sheet, or of all listed elements.
+  /// Returns true if all numbers of the data sheet, or all listed elements, are known only to an order of magnitude.
   bool isGuess() const;
 
-  /// Returns the configured value of a parameter of an element, at the level of elements [SI].
+  /// Returns the configured value [SI] of a parameter of an element, at Level::elements.
   double configured(Eigen::Index parameter) const { return slots_[static_cast<std::size_t>(parameter)].configured; }
 
-  /// Returns the component with these logarithms of ratios. Throws std::invalid_argument if there is none.
+  /// Returns the component for these logarithms of ratios. Throws std::invalid_argument if there is none.
   io::ComponentDescription apply(const Eigen::VectorXd& logarithms) const;
 
   /// Returns its elements; nullopt if the specification has no solution or an element rejects its parameters.
   std::optional<std::vector<element::ElementDescription>> elements(const Eigen::VectorXd& logarithms) const;
 
-  /// Returns the changes that the user would have to write: new over old value of every number of the specification, or
-  /// of every parameter of the elements, that differs. Defined for any point, even one without a component, as may
-  /// result from a fit to a single log.
+  /// Returns the changes that the user would have to write: the ratio of new to old value for every number that differs
+  /// in the specification or the elements. Defined also for points without a component, which may result from a fit to
+  /// a single log.
   std::vector<std::pair<std::string, double>> ratios(const Eigen::VectorXd& logarithms) const;
 
  private:
   /// Coordinates of the models M2, M3 and multi-Maxwell in which every point has a model.
   struct Relaxation {
     double static_stiffness = 0.0;
-    double relaxing_stiffness = 0.0;  // sum of the Maxwell stiffnesses
-    double alpha = 1.0;               // k_i/k_(i+1)
-    double break_frequency = 0.0;     // of the fastest element
-    double band_ratio = 1.0;          // q, of neighbouring break frequencies
-    double damping = 0.0;             // of the dashpot
+    double relaxing_stiffness = 0.0;  // sum of the stiffnesses of the Maxwell elements
+    double alpha = 1.0;               // k_i/k_(i+1), of neighbouring elements
+    double break_frequency = 0.0;     // break frequency of the fastest element
+    double band_ratio = 1.0;          // ratio q of neighbouring break frequencies
+    double damping = 0.0;             // coefficient of the dashpot
     std::size_t elements = 0;
 
     double highFrequency() const { return 2.0 * break_frequency / (1.0 + 1.0 / band_ratio); }
@@ -99,7 +100,7 @@ class ModelParameters {
     std::complex<double> stiffnessAt(double frequency) const;
   };
 
-  /// The numbers of a point.
+  /// The values of all numbers at a point of the fit.
   struct Point {
     estimation::Specification specification;
     Relaxation relaxation;
@@ -109,9 +110,9 @@ class ModelParameters {
 
   struct Slot {
     std::function<void(Point& point, double ratio)> move;
-    bool of_element;    // else of the specification
-    double configured;  // of an element: the value, given or by default
-    double deviation;   // of its logarithm, of an element
+    bool of_element;    // true for a parameter of an element, false for a number of the specification
+    double configured;  // value of the element's parameter, given or by default
+    double deviation;   // standard deviation of the logarithm of the element's parameter
   };
 
   void addRelaxation();
@@ -119,7 +120,7 @@ class ModelParameters {
   void addElements(std::vector<element::ElementDescription> Point::* list);
   void add(const std::string& name, Slot slot, double largest_ratio);
   void addKnown(std::size_t of_base);
-  /// Returns a number of the sheet, whether or not a component has the numbers of the point.
+  /// Returns a number of the data sheet, whether or not a component with the numbers of the point exists.
   double sheetNumber(const Point& point, const std::string& key) const;
   Point movedBy(const Eigen::VectorXd& logarithms) const;
   /// Returns the point with its specification.

@@ -1,4 +1,4 @@
-// Products of columns by blocks of the logs.
+// Normal equations of blocks of the logs.
 #include "fit/normal_equations.h"
 
 #include <algorithm>
@@ -17,11 +17,11 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kCyclesPerBlock = 4.0;  // of the motion's mean frequency: longer than residuals are correlated
+constexpr double kCyclesPerBlock = 4.0;  // cycles of the mean frequency; residuals are correlated over shorter times
 constexpr double kMostBlocks = 24.0;
 constexpr double kFewestBlocks = 8.0;
-constexpr double kBlocksOfAll = 480.0;  // of all logs together: many logs predict each other, so that each needs fewer
-constexpr double kBlocksOfOne = 2.0;    // of one log: one determines the log's own unknowns, the other has the error
+constexpr double kBlocksOfAll = 480.0;  // blocks of all logs; many logs predict each other, so that each needs fewer
+constexpr double kBlocksOfOne = 2.0;  // blocks of one log; one determines the log's parameters, the other has the error
 
 using Places = std::vector<Eigen::Index>;
 
@@ -42,7 +42,7 @@ void prepare(Eigen::Index width, Kept kept, const PerLogNuisances& free, BlockGr
   }
 }
 
-// Appends `count` places from `first` on.
+// Appends the `count` indices that begin with `first`.
 Places with(Places places, Eigen::Index first, Eigen::Index count) {
   places.resize(places.size() + static_cast<std::size_t>(count));
   std::iota(places.end() - count, places.end(), first);
@@ -74,7 +74,7 @@ void BlockGrams::addPrior() {
   }
 }
 
-// Sums rather than differences, so that what is zero without a fold is exactly zero.
+// The blocks are summed for each fold, rather than subtracted from the sum, so that zeros remain exact.
 void BlockGrams::sumUp() {
   sum = prior;
   const int folds = std::max(kFolds, 1 + *std::max_element(fold.begin(), fold.end()));
@@ -107,19 +107,19 @@ BlockGrams BlockGrams::of(const std::vector<Eigen::Index>& unknowns) const {
   return result;
 }
 
-// The columns whose products are requested.
+// The columns of the least-squares system whose products are requested.
 struct LogBlocks::Request {
   const gap::Forces& base;
   const std::vector<ForceColumn>& columns;
-  PerLogNuisances free;  // union over the results
+  PerLogNuisances free;  // union over all results
   Kept kept;
-  Eigen::Index width;  // of the columns and the residual
-  Places fresh;        // columns to be multiplied by all others
-  Places known;        // columns that no fit changes
-  Places index;        // of these in known_
+  Eigen::Index width;  // number of columns, with the residual
+  Places fresh;        // indices of columns to be multiplied by all others
+  Places known;        // indices of columns that no fit changes
+  Places index;        // their indices in known_
 };
 
-// Products of one log without errors of its rig: columns, residual, nuisance parameters.
+// Products of the columns, residual and nuisance parameters of one log after errors of its rig were removed.
 struct LogBlocks::OfLog {
   numerics::BlockProducts products;
   numerics::BlockPlaces places;
@@ -150,7 +150,7 @@ LogBlocks::LogBlocks(const std::vector<gap::PreparedRecord>& records, std::vecto
   });
 }
 
-// Omits blocks in which no sample counts, such as those in which a sensor failed.
+// Cuts a log into blocks. Blocks in which no sample counts, as after failure of a sensor, are omitted.
 std::vector<LogBlocks::Block> LogBlocks::cut(const log::Record& record, std::size_t logs) {
   const double cycles = record.duration() * record.mean_frequency;
   const double most = std::clamp(std::floor(kBlocksOfAll / static_cast<double>(logs)), kBlocksOfOne, kMostBlocks);
@@ -177,7 +177,7 @@ Eigen::MatrixXd LogBlocks::ownOf(const Request& request, std::size_t r) const {
   return columns;
 }
 
-// Returns the products of columns, residual, unknowns of the log and errors of the rig in each block of a log.
+// Returns, for each block of a log, the products of columns, residual, nuisance parameters and errors of the rig.
 std::vector<Eigen::MatrixXd> LogBlocks::productsIn(std::size_t r, const Request& request) const {
   const Eigen::Index rig = records_[r].rig.columns.cols();
   const Eigen::MatrixXd of_log = ownOf(request, r);
@@ -230,8 +230,8 @@ LogBlocks::OfLog LogBlocks::ofLog(std::size_t r, const Request& request) const {
   return result;
 }
 
-// Adds a log after elimination of its nuisance parameters. Trends and offsets of the displacement are in units of the
-// standard deviation of the log's force.
+// Adds a log after elimination of its nuisance parameters. Trends and displacement offsets are in units of the standard
+// deviation of the log's force.
 void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, const PerLogNuisances& free,
                     BlockGrams& result) const {
   const gap::PreparedRecord& record = records_[r];
@@ -282,7 +282,7 @@ void LogBlocks::add(std::size_t r, const OfLog& of_log, const Request& request, 
 std::vector<BlockGrams> LogBlocks::normalEquations(const gap::Forces& base, const std::vector<ForceColumn>& columns,
                                                    const std::vector<PerLogNuisances>& free, Kept kept,
                                                    int threads) const {
-  constexpr std::size_t kAtOnce = 8;  // logs whose products are in memory
+  constexpr std::size_t kAtOnce = 8;  // logs whose products are in memory at the same time
   Request request{base, columns, {}, kept, static_cast<Eigen::Index>(columns.size()) + 1, {}, {}, {}};
   for (const PerLogNuisances& one : free) {
     request.free = request.free | one;

@@ -1,4 +1,4 @@
-// A loop shared by some threads.
+// A loop whose iterations several threads share.
 #include "fit/parallel.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
       workers.emplace_back(work);
     }
   } catch (const std::system_error&) {
-    // If no further thread can be started, those that run do its part.
+    // If no further thread can be started, the running threads do its part.
   }
   work();
   for (std::thread& worker : workers) {

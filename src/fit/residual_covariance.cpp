@@ -11,10 +11,10 @@ namespace rubber_suspension::fit {
 namespace {
 
 constexpr Eigen::Index kLargestOrder = 30;
-constexpr double kRankTolerance = 1e-12;  // of eigenvalues of the correlation form of J'J
+constexpr double kRankTolerance = 1e-12;  // relative eigenvalue of J'J, scaled to correlation form
 constexpr double kPartInUnseen = 1e-3;    // of a direction of length 1
 
-// Autocovariances at lags 0 to `lags`, products within runs only.
+// Returns the autocovariances at lags 0 to `lags`, from products within runs only.
 Eigen::VectorXd autocovariances(const Eigen::Ref<const Eigen::VectorXd>& residuals,
                                 const std::vector<Eigen::Index>& runs, Eigen::Index lags) {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(lags + 1);
@@ -39,7 +39,7 @@ void raiseOrder(Autoregression& model, const Eigen::VectorXd& covariance) {
   model.innovation *= 1.0 - reflection * reflection;
 }
 
-// The Bayesian information criterion.
+// Returns the Bayesian information criterion.
 double criterionOf(const Autoregression& model, double samples) {
   return samples * std::log(std::max(model.innovation, 1e-300)) +
          static_cast<double>(model.coefficients.size()) * std::log(samples);
@@ -87,7 +87,7 @@ Autoregression fitAutoregression(const Eigen::Ref<const Eigen::VectorXd>& residu
   const auto count = static_cast<double>(residuals.size());
   Autoregression model{{}, covariance[0]};
   Autoregression best = model;
-  // Residuals at the rounding of the forces have no structure worth a model.
+  // Residuals as small as the rounding of the forces are not worth a model.
   while (model.coefficients.size() < largest_order && model.innovation > 1e-14 * covariance[0]) {
     raiseOrder(model, covariance);
     if (criterionOf(model, count) < criterionOf(best, count)) {
@@ -99,7 +99,7 @@ Autoregression fitAutoregression(const Eigen::Ref<const Eigen::VectorXd>& residu
 
 Eigen::MatrixXd projectedCovariance(Eigen::MatrixXd columns, const std::vector<Eigen::Index>& runs,
                                     const Autoregression& model) {
-  // O = s^2 A^-1 A^-T, A being the filter of the autoregression as a triangular matrix; A^-T runs backwards in time.
+  // O = s^2 A^-1 A^-T, where the triangular matrix A is the filter of the autoregression; A^-T runs backwards in time.
   const Eigen::VectorXd& coefficients = model.coefficients;
   Eigen::Index begin = 0;
   for (const Eigen::Index length : coefficients.size() > 0 ? runs : std::vector<Eigen::Index>()) {

@@ -19,17 +19,17 @@ namespace {
 
 using element::ResidualBasis;
 
-constexpr double kMostRows = 40000.0;           // equations: neighbouring samples are redundant
-constexpr std::size_t kPoints = 32;             // of the characteristic
-constexpr double kWidestStop = 0.7;             // strokes: wider ones hardly reverse
-constexpr double kNarrowestStop = 0.02;         // strokes
-constexpr double kNoiseInStop = 6.0;            // standard deviations of the sensor's noise, as a dead band
-constexpr double kLowestResonance = 0.2;        // of the highest frequency of the motion
-constexpr double kHighestResonance = 1.3;       // likewise; higher ones are not excited
-constexpr double kFewerFunctionsBetter = 0.95;  // ratio of errors, below which more functions are preferred
-constexpr std::size_t kFewestLogs = 3;          // from which on each is held out in turn
+constexpr double kMostRows = 40000.0;      // equations; more are redundant, because neighbouring samples are similar
+constexpr std::size_t kPoints = 32;        // points of the characteristic
+constexpr double kWidestStop = 0.7;        // share of the stroke; wider stops hardly reverse
+constexpr double kNarrowestStop = 0.02;    // share of the stroke
+constexpr double kNoiseInStop = 6.0;       // dead band in standard deviations of the sensor's noise
+constexpr double kLowestResonance = 0.2;   // share of the highest frequency of the motion
+constexpr double kHighestResonance = 1.3;  // share of the same frequency; the motion does not excite higher ones
+constexpr double kFewerFunctionsBetter = 0.95;  // ratio of errors below which more functions are preferred
+constexpr std::size_t kFewestLogs = 3;          // with at least as many, each log is held out in turn
 constexpr std::array<double, 8> kRidges = {1e-7, 1e-6, 1e-5, 1e-4,
-                                           1e-3, 1e-2, 1e-1, 1.0};  // of a function's mean square
+                                           1e-3, 1e-2, 1e-1, 1.0};  // share of a function's mean square
 
 template <std::size_t Size>
 std::array<double, Size> geometric(double first, double last) {
@@ -48,8 +48,8 @@ Eigen::Index strideOf(const std::vector<gap::PreparedRecord>& records) {
   return std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::ceil(samples / kMostRows)));
 }
 
-// Returns every `stride`-th sample of a record. The prior of the rig's errors is kept, in units of the error of fewer
-// samples.
+// Returns every `stride`-th sample of a record. The prior of the rig's errors is kept, in units for the smaller number
+// of samples.
 gap::PreparedRecord thinned(const gap::PreparedRecord& record, Eigen::Index stride) {
   const auto kept = Eigen::seq(0, Eigen::last, stride);
   gap::PreparedRecord result = record;
@@ -66,7 +66,7 @@ gap::PreparedRecord thinned(const gap::PreparedRecord& record, Eigen::Index stri
   return result;
 }
 
-// Values of the functions at every `stride`-th sample of a record.
+// Returns the values of the functions at every `stride`-th sample of a record.
 Eigen::MatrixXd functionsOver(const ResidualBasis& basis, const log::Record& record, Eigen::Index stride) {
   const Eigen::VectorXd& z = record.raw_displacement;
   Eigen::MatrixXd by_sample(basis.size(), (z.size() + stride - 1) / stride);
@@ -96,7 +96,7 @@ std::vector<ForceColumn> columnsOf(const std::vector<Eigen::MatrixXd>& functions
 struct Choice {
   std::vector<Eigen::Index> functions;
   double ridge = 0.0;
-  double error = std::numeric_limits<double>::infinity();  // held-out mean square
+  double error = std::numeric_limits<double>::infinity();  // held-out mean square error
 };
 
 /// Normal equations with each function scaled to a mean square of 1, from which any ridge regression follows.
@@ -104,7 +104,7 @@ class RidgeRegression {
  public:
   RidgeRegression(BlockGrams blocks, std::size_t records) : blocks_(std::move(blocks)) {
     const Eigen::VectorXd squares = blocks_.sum.diagonal();
-    // A function that is always 0 gets no weight.
+    // A function that is always 0 is given no weight.
     scale_ = squares.unaryExpr([](double square) { return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0; });
     scale_.tail<1>().setOnes();
     for (Eigen::MatrixXd& gram : blocks_.gram) {
@@ -116,7 +116,7 @@ class RidgeRegression {
     blocks_.sumUp();
   }
 
-  /// Returns the ridge with the least held-out error for these functions.
+  /// Returns the ridge with the smallest held-out error for these functions.
   Choice bestRidge(const std::vector<Eigen::Index>& functions) const {
     const BlockGrams part = blocks_.of(functions);
     Choice best;
@@ -144,7 +144,7 @@ class RidgeRegression {
   /// Returns the mean square error without a surrogate.
   double errorBefore() const { return blocks_.sum.bottomRightCorner<1, 1>().value(); }
 
-  /// Weight of each function [N].
+  /// Returns the weight of each function [N].
   Eigen::VectorXd weights(const Choice& choice) const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(scale_.size() - 1);
     result(choice.functions) = solveRidge(ofUnknowns(blocks_.sum, choice.functions), choice.ridge);
@@ -167,7 +167,7 @@ class RidgeRegression {
   Eigen::VectorXd scale_;
 };
 
-// Tries products alone, with characteristic, with resonators, with both; prefers more only if they predict better.
+// Chooses products alone, with characteristic, with resonators, or with both; more functions have to predict better.
 Choice chooseFunctions(const RidgeRegression& regression, const ResidualBasis& basis) {
   constexpr auto kProducts = static_cast<Eigen::Index>(ResidualBasis::kStates * ResidualBasis::kFactors);
   const Eigen::Index resonators = kProducts + static_cast<Eigen::Index>(basis.layout().points);
@@ -189,7 +189,7 @@ Choice chooseFunctions(const RidgeRegression& regression, const ResidualBasis& b
   return best;
 }
 
-// Describes the functions, without resonators if these have no weight.
+// Describes the functions, without resonators if all their weights are 0.
 element::ElementDescription describeElement(const ResidualBasis& basis, const Eigen::VectorXd& weights,
                                             const std::vector<Eigen::MatrixXd>& functions) {
   double lowest = 0.0;

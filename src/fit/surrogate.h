@@ -9,30 +9,30 @@
 
 namespace rubber_suspension::fit {
 
-/// Mean square errors of a block of a log that took no part in the fit, in units of the force's variance.
+/// Mean square errors of a block of a log that was held out of the fit, in units of the variance of the force.
 struct UnseenBlock {
   int record = 0;
-  double weight = 0.0;  ///< share of the block in all samples; each log counts alike
-  double before = 0.0;  ///< of the model
-  double after = 0.0;   ///< with a surrogate that was fitted without the block
+  double weight = 0.0;  ///< share of the block in all samples; all logs count alike
+  double before = 0.0;  ///< error of the model alone
+  double after = 0.0;   ///< error with a surrogate that was fitted without the block
 };
 
 /// A fitted surrogate.
 struct SurrogateFit {
   element::ElementDescription element;
   std::vector<UnseenBlock> unseen;
-  bool predicts = false;  ///< it reduces the held-out error; otherwise all of its weights are 0
+  bool predicts = false;  ///< true if it reduces the held-out error; otherwise all weights are 0
 };
 
 /// Returns a layout whose operators cover the strokes, time constants and frequencies of the logs.
 element::ResidualBasis::Layout surrogateLayout(const std::vector<gap::PreparedRecord>& records);
 
-/// Fits a surrogate to measured minus simulated force. `simulated`: force of the model over each record's displacement
-/// as recorded [N], which the surrogate has as well.
+/// Fits a surrogate to measured minus simulated force. `simulated`: force of the model over the recorded displacement
+/// of each record [N]. The surrogate also acts on the recorded displacement.
 ///
-/// The strength of the ridge, and the use of characteristic and resonators, have the least held-out error: each log in
-/// turn is held out if there are at least three, otherwise blocks. Logs count alike; errors of the rig and samples that
-/// do not count are excluded.
+/// The strength of the ridge and the use of characteristic and resonators minimise the held-out error. If there are at
+/// least three logs, each is held out in turn; otherwise blocks are held out. All logs count alike. Errors of the rig
+/// and samples that do not count are excluded.
 SurrogateFit fitSurrogate(const std::vector<gap::PreparedRecord>& records,
                           const std::vector<Eigen::VectorXd>& simulated, int threads);
 

@@ -1,4 +1,4 @@
-// Fit to a table: the settled loops of the model against the points.
+// Fit of the settled loops of a model to the rows of a table.
 #include "fit/table_fit.h"
 
 #include <Eigen/Core>
@@ -15,16 +15,16 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// Samples per cycle: the error of 180 samples in the area, 2e-4, is far below that of measured loops, about a percent.
+// Samples per cycle. Their error of the area, 2e-4, is far below the error of measured loops, about a percent.
 constexpr int kSamplesOfSweep = 180;
-constexpr double kStepOfLogarithm = 1e-4;  // for differences
+constexpr double kStepOfLogarithm = 1e-4;  // step of difference quotients
 
 double misfitOf(const Eigen::VectorXd& residual) {
   return residual.norm() / std::sqrt(0.5 * static_cast<double>(residual.size()));
 }
 
-// Bounds of the logarithms on either side; 0 for fixed ones. `spread`: break frequencies are fixed, because they spread
-// the elements over the range and the stiffnesses have one best fit for them.
+// Returns the bounds of the logarithms on either side; 0 for fixed parameters. `spread`: break frequencies are fixed,
+// because they spread the elements over the range, where the stiffnesses have one best fit.
 Eigen::VectorXd boundsOf(const ModelParameters& parameters, bool spread) {
   Eigen::VectorXd bounds = parameters.bounds();
   for (Eigen::Index i = 0; i < bounds.size(); ++i) {
@@ -44,7 +44,7 @@ std::complex<double> simulated(const component::Component& component, const Tabl
   return std::polar(loop.stiffness, loop.loss_angle);
 }
 
-// Relative differences, real and imaginary parts alternating.
+// Returns relative differences between model and points; real and imaginary parts alternate.
 Eigen::VectorXd differences(const component::Component& component, const std::vector<TablePoint>& points) {
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {

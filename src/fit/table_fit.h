@@ -13,27 +13,27 @@ namespace rubber_suspension::fit {
 
 /// A parameter that was fitted.
 struct FittedParameter {
-  std::string name;        ///< as "friction[1].maximum_force"
+  std::string name;        ///< for example "friction[1].maximum_force"
   double given = 0.0;      ///< value at which the fit began
   double value = 0.0;      ///< fitted value
   bool determined = true;  ///< false: at a bound, or a standard deviation of its logarithm above ln(2)/1.96
-  double deviation = 0.0;  ///< standard deviation of its logarithm, if the model is right; infinite if no row shows it
+  double deviation = 0.0;  ///< standard deviation of its logarithm if the model is right; infinite if no row shows it
 };
 
 struct TableFit {
-  io::ComponentDescription component;  ///< as a list of elements, with the fitted values
+  io::ComponentDescription component;  ///< list of elements with the fitted values
   std::vector<FittedParameter> parameters;
   double misfit_before = 0.0;               ///< RMS of |K*_model - K*|/|K*| over the points, K* = K exp(i delta)
-  double misfit = 0.0;                      ///< likewise after the fit
-  std::optional<MasterCurve> master_curve;  ///< of a table with temperatures
+  double misfit = 0.0;                      ///< the same after the fit
+  std::optional<MasterCurve> master_curve;  ///< for a table with temperatures
 };
 
-/// Fits by least squares of (K*_model - K*)/|K*| over all points, in the logarithms of the parameters, each within a
-/// factor of 10 or two standard deviations of its given value; counts, tables, dead bands and reference quantities are
-/// kept. The result is a local optimum: begin with a component of about the right size. Rows of several temperatures
-/// are first shifted onto one curve (masterCurve()) at the reference of the component, if it has one; the fitted
-/// component has that law. With a `series` the fit begins with its elements instead. Throws std::invalid_argument for
-/// fewer than two points, for points that are no loops, and if the component has no parameter that a table shows.
+/// Fits the logarithms of the parameters by least squares of (K*_model - K*)/|K*| over all points, within a factor of
+/// 10 or two standard deviations of the given values. Counts, tables, dead bands and reference quantities are kept. The
+/// result is a local optimum, so `description` should be of about the right size. Rows of several temperatures are
+/// first shifted onto one curve (masterCurve()) at the reference of the component, if any; the fitted component has the
+/// law of the shifts. If `series` is given, the fit begins with its elements instead. Throws std::invalid_argument for
+/// fewer than two points, for points that are no loops, and if a table shows no parameter of the component.
 TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points,
                     std::optional<Series> series = std::nullopt);
 

@@ -1,4 +1,4 @@
-// Motions of the rows of a table, and their normal equations.
+// Motions that represent the rows of a table, and their normal equations.
 #include "fit/table_fitter.h"
 
 #include <algorithm>
@@ -16,14 +16,14 @@ namespace rubber_suspension::fit {
 namespace {
 
 constexpr int kSamplesOfLoop =
-    360;                      // of the cycle that counts: a dashpot lags by half a sample, 0.5 degrees of its force
-constexpr int kStride = 4;    // samples of the cycle to one of the lead-in
-constexpr int kBefore = 3;    // samples of the record before the cycle that counts, so that the lead-in keeps its grid
-constexpr int kAfter = 1;     // and after it: a mass uses differences on both sides
-constexpr int kGrowing = 4;   // cycles of the lead-in in which the sine grows: slow and friction elements end symmetric
-constexpr int kSettling = 6;  // cycles of the lead-in after that
+    360;  // samples of the cycle that counts; a dashpot lags by half a sample, 0.5 degrees of its force
+constexpr int kStride = 4;   // samples of the cycle per sample of the lead-in
+constexpr int kBefore = 3;   // samples of the record before the cycle that counts; keep the time grid of the lead-in
+constexpr int kAfter = 1;    // samples after the cycle, because a mass uses differences on both sides
+constexpr int kGrowing = 4;  // cycles of the lead-in in which the amplitude grows, so that element states end symmetric
+constexpr int kSettling = 6;  // further cycles of the lead-in
 
-// Displacement at a sample, counted from the lower turning point at which the cycle begins.
+// Returns the displacement at a sample. The cycle begins at its lower turning point with sample 0.
 double displacementAt(const TablePoint& point, int sample) {
   const double phase = 2.0 * element::kPi * sample / kSamplesOfLoop;
   const double since_rest = static_cast<double>(sample) / kSamplesOfLoop + kGrowing + kSettling;
@@ -57,7 +57,7 @@ gap::PreparedRecord recordOf(const TablePoint& point) {
   return record;
 }
 
-// Stiffness of the last cycle.
+// Returns the complex stiffness of the last cycle.
 std::complex<double> stiffnessOfLoop(const TablePoint& point, const Eigen::VectorXd& force) {
   response::SettledLoop loop;
   loop.frequency = point.frequency;
@@ -67,7 +67,7 @@ std::complex<double> stiffnessOfLoop(const TablePoint& point, const Eigen::Vecto
   return std::polar(found.stiffness, found.loss_angle);
 }
 
-// Imaginary part of K*, by the area of the loop.
+// Returns the imaginary part of K* from the area of the loop.
 double lossStiffness(const TablePoint& point, const Eigen::VectorXd& force) {
   double sum = 0.0;
   for (int i = 0; i < kSamplesOfLoop; ++i) {
@@ -76,7 +76,7 @@ double lossStiffness(const TablePoint& point, const Eigen::VectorXd& force) {
   return 2.0 * sum / (kSamplesOfLoop * point.amplitude);
 }
 
-// Rank of each row's value; values that differ by less than a part in a million have one rank.
+// Returns the rank of each row's value. Values that differ by less than 1e-6 have the same rank.
 std::vector<int> ranksOf(const std::vector<TablePoint>& points, const std::function<double(const TablePoint&)>& value) {
   const auto below = [](double a, double b) { return b - a > 1e-6 * std::max(std::abs(a), std::abs(b)); };
   std::vector<double> values = element::each(points, value);
@@ -105,7 +105,7 @@ std::vector<std::complex<double>> TableLoops::stiffnessOf(
   return stiffness(gap::simulate(elements, *records_));
 }
 
-// |K*| follows from the two peaks, which to first order stay where they are, and Im K* from the area.
+// |K*| follows from the two peaks, whose times do not change to first order, and Im K* from the area.
 std::complex<double> TableLoops::derivative(std::size_t row, const Eigen::VectorXd& force,
                                             const Eigen::VectorXd& column) const {
   const TablePoint& point = points_[row];
@@ -116,7 +116,7 @@ std::complex<double> TableLoops::derivative(std::size_t row, const Eigen::Vector
   const std::complex<double> stiffness = stiffnessOfLoop(point, force);
   const double magnitude = (column[kBefore + high] - column[kBefore + low]) / (2.0 * point.amplitude);
   const double loss = lossStiffness(point, column);
-  // If the storage stiffness is 0, as of Coulomb friction alone, the derivative is infinite: 1 % keeps the step finite.
+  // If the storage stiffness is 0, as for Coulomb friction alone, the derivative is infinite. 1 % keeps it finite.
   const double storage = std::max(std::abs(stiffness.real()), 0.01 * std::abs(stiffness));
   return {(std::abs(stiffness) * magnitude - stiffness.imag() * loss) / storage, loss};
 }
@@ -145,7 +145,7 @@ double TableFitter::gapOf(const Hypothesis& /*hypothesis*/, const gap::Forces& f
   return std::isfinite(gap) ? gap : std::numeric_limits<double>::infinity();
 }
 
-// Rows have no unknowns of their own, so one result applies to all.
+// Rows have no nuisance parameters, so one result applies to all entries of `how.free`.
 std::vector<BlockGrams> TableFitter::normalEquationsAbout(const Hypothesis& hypothesis,
                                                           const ParameterVector& parameters, const gap::Forces& base,
                                                           const Linearised& how) const {

@@ -15,16 +15,17 @@
 
 namespace rubber_suspension::fit {
 
-/// Represents each row by a record: a sine that grows from rest over some cycles and settles, then one cycle that
-/// counts. Stiffness and loss angle of that cycle follow from peaks and area, as in `estimate --from-table`.
+/// Represents each row by a record: a sine that grows from rest over several cycles and settles, followed by one cycle
+/// that counts. Stiffness and loss angle are determined from peaks and area of this cycle, as in `estimate
+/// --from-table`.
 class TableLoops {
  public:
-  /// Throws std::invalid_argument as checkPoints() does.
+  /// Throws std::invalid_argument like checkPoints().
   explicit TableLoops(std::vector<TablePoint> points);
 
   const std::vector<TablePoint>& points() const { return points_; }
 
-  /// Returns the motions. The force of a record is an ellipse with the K* of its row, which is only used as a scale.
+  /// Returns the motions. The force of a record is an ellipse with the K* of its row and serves only as a scale.
   const std::shared_ptr<const std::vector<gap::PreparedRecord>>& records() const { return records_; }
 
   /// Returns K* of each row [N/m] from the forces on the records [N].
@@ -33,7 +34,7 @@ class TableLoops {
   /// Returns K* of a component at each row [N/m].
   std::vector<std::complex<double>> stiffnessOf(const std::vector<element::ElementDescription>& elements) const;
 
-  /// Returns the derivative of K* of a row whose force has the derivative `column`.
+  /// Returns the derivative of K* of a row for which `column` is the derivative of the force.
   std::complex<double> derivative(std::size_t row, const Eigen::VectorXd& force, const Eigen::VectorXd& column) const;
 
  private:
@@ -41,13 +42,13 @@ class TableLoops {
   std::shared_ptr<const std::vector<gap::PreparedRecord>> records_;
 };
 
-/// Fits hypotheses to one table: residuals are (K* - K*_model)/|K*| of its rows, so that gaps are those of
-/// gapOfTable(). A table counts as one log. Cross validation holds out rows as blocks, because they are separate tests.
-/// Neighbours on the grid of frequency and amplitude are in different folds. Thread-safe once constructed; the model
-/// has to outlive it.
+/// Fits hypotheses to one table. The residuals are (K* - K*_model)/|K*| of its rows, so that gaps are those of
+/// gapOfTable(). The table counts as one log. Cross validation holds out rows as blocks, because rows are separate
+/// tests; rows that are neighbours in frequency or amplitude are in different folds. Thread-safe once constructed; the
+/// model has to outlive it.
 class TableFitter final : public HypothesisFitter {
  public:
-  /// `one_deviation`: gap that counts as much as a departure of one standard deviation.
+  /// `one_deviation`: gap that counts as much as a departure from prior knowledge by one standard deviation.
   TableFitter(std::shared_ptr<const TableLoops> loops, const ModelParameters& model, double one_deviation);
 
   const TableLoops& loops() const { return *loops_; }
@@ -66,7 +67,7 @@ class TableFitter final : public HypothesisFitter {
 
   std::shared_ptr<const TableLoops> loops_;
   HypothesisForces forces_;
-  std::vector<int> fold_;  // of each row
+  std::vector<int> fold_;  // fold of each row
 };
 
 }  // namespace rubber_suspension::fit
