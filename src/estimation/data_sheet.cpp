@@ -1,4 +1,4 @@
-// Data sheets: hardness and shape, stiffness ratio, second loss angle.
+// Conversion of data sheets: hardness and shape, stiffness ratio, second loss angle.
 #include "rubber_suspension/estimation/data_sheet.h"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ constexpr double kHighestHardness = 80.0;
 constexpr double kHardnessTolerance = 5.0;
 constexpr double kLowestShapeFactor = 0.2;
 constexpr double kHighestShapeFactor = 3.0;
-constexpr double kLowestShearShapeFactor = 1.0;  // bending adds (t/a)^2/3 to the shear of a square block, 2 % there
+constexpr double kLowestShearShapeFactor = 1.0;  // bending adds (t/a)^2/3 to the shear of a square block, here 2 %
 
 bool isDataSheetKey(const std::string& key) { return element::findParameter(dataSheetParameters(), key) != nullptr; }
 
@@ -56,7 +56,7 @@ double blockStiffness(const Values& values, double hardness, LoadDirection direc
                                            : modulus * compressionFactor(values.at("shape_factor")) * area_over_height;
 }
 
-// Static stiffness from hardness and shape.
+// Sets the static stiffness from hardness and shape.
 void addStaticStiffness(const Values& values, LoadDirection direction, DataSheetResult& result) {
   static const std::vector<std::string> keys = {"shore_a", "loaded_area", "layer_thickness", "shape_factor"};
   if (values.count("shore_a") == 0) {
@@ -103,8 +103,8 @@ void addDynamicStiffness(const Values& values, DataSheetResult& result) {
   }
 }
 
-// The break frequency at which M3 has the second loss angle. Between the limits of a dashpot alone (f_b -> 0) and of a
-// Maxwell element alone, the angle at another frequency is monotonic.
+// Returns the break frequency with which M3 has the second loss angle. Between the limits of a dashpot alone (f_b -> 0)
+// and of a Maxwell element alone, the loss angle at another frequency depends monotonically on f_b.
 double breakFrequencyForSecondAngle(const Specification& specification, double frequency, double angle) {
   Specification trial = specification;
   const double highest = std::log(breakFrequencyForLossAngle(specification));
@@ -137,7 +137,7 @@ void addSecondAngle(const Values& values, DataSheetResult& result) {
   Specification& specification = result.specification;
   element::refuseIf(values.at("second_frequency") == specification.at("nominal_frequency"),
                     "second_frequency: is equal to the nominal frequency; accepted: a different frequency");
-  specification.set("break_frequency", 1.0);  // for the checks; found below
+  specification.set("break_frequency", 1.0);  // any value, for the checks; determined below
   checkSpecification(Model::maxwell_dashpot, specification);
   for (const auto& obstacle : {stiffnessObstacle(specification), storageObstacle(specification)}) {
     if (obstacle) {

@@ -1,4 +1,4 @@
-// M4 (Berg friction), M5 (with dashpot) and M6 (with Maxwell element), from stiffness and loss at (f_n, A_n).
+// M4 (Berg friction), M5 (with dashpot) and M6 (with Maxwell element) from stiffness and loss at the working point.
 // Sources: Polach (IAVSD 2015); M. Berg, Proc. IMechE F 211 (1997) 95-108.
 #include <fmt/format.h>
 
@@ -13,16 +13,16 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// The settled Berg loop of amplitude z0 follows from one number, u = 2 z0/(z2 (1 + mu0)), mu0 = F_f0/F_max: its branch
-// from -F_f0 ends at F_f0, so mu0 = u/(2 + u). u -> 0 is a spring, u -> inf is Coulomb.
+// Returns mu0 = F_f0/F_max of the settled Berg loop of amplitude z0, which depends only on u = 2 z0/(z2 (1 + mu0)): its
+// branch from -F_f0 ends at F_f0, so mu0 = u/(2 + u). u -> 0 is a spring, u -> infinity is Coulomb friction.
 double settledMu(double u) { return u / (2.0 + u); }
 
-// Loss of the settled loop over F_f0 z0: 4 ((2 + u) u - 2 (1 + u) ln(1 + u))/u^2, rising from 0 to 4 (Coulomb).
+// Returns the loss of the settled loop over F_f0 z0: 4 ((2 + u) u - 2 (1 + u) ln(1 + u))/u^2, from 0 to 4 (Coulomb).
 double lossRatio(double u) {
   if (u > 0.1) {
     return 4.0 * ((2.0 + u) * u - 2.0 * (1.0 + u) * std::log1p(u)) / (u * u);
   }
-  // The difference cancels at small u; its series is 8 sum over n >= 3 of (-1)^(n+1) u^(n-2)/(n (n-1)).
+  // At small u the difference loses digits, so its series is used: 8 sum over n >= 3 of (-1)^(n+1) u^(n-2)/(n (n-1)).
   double sum = 0.0;
   double power = u;
   for (int n = 3; n < 20; ++n) {
@@ -33,10 +33,10 @@ double lossRatio(double u) {
 }
 
 constexpr double kCoulombLossRatio = 4.0;
-// Keeps the root away from Coulomb friction, u = infinity.
+// Margin of the root from u = infinity, Coulomb friction.
 constexpr double kStiffnessMargin = 1e-12;
 
-// Berg element whose settled loop of this amplitude has this u and this peak force.
+// Returns the Berg element whose settled loop of this amplitude has this u and this peak force.
 element::ElementDescription bergElement(double u, double peak_force, double amplitude) {
   const double mu = settledMu(u);
   return {"friction", {{"maximum_force", {peak_force / mu}}, {"displacement", {2.0 * amplitude / (u * (1.0 + mu))}}}};
@@ -47,11 +47,11 @@ struct WorkingPoint {
   double k_st;            // [N/m]
   double k_n;             // [N/m]
   double loss_stiffness;  // K_n sin(delta): loss per cycle over pi A^2 [N/m]
-  double viscous_share;   // of the loss [-]
+  double viscous_share;   // viscous share of the loss [-]
   double amplitude;       // [m]
 
   double viscousLossStiffness() const { return viscous_share * loss_stiffness; }
-  // Loss per cycle of the friction over A^2 [N/m].
+  // Returns the friction's loss per cycle over A^2 [N/m].
   double frictionLoss() const { return element::kPi * (1.0 - viscous_share) * loss_stiffness; }
 };
 
@@ -63,13 +63,13 @@ WorkingPoint workingPoint(const Specification& specification, double viscous_sha
 
 double viscousShare(const Specification& specification) { return valueOrDefault(specification, "viscous_share"); }
 
-// Even Coulomb friction, which dissipates most for its force, is too stiff with this loss.
+// Returns the obstacle that even Coulomb friction, the least stiff friction with this loss, is too stiff.
 Obstacle tooLossy(double k_lowest) {
   return {"dynamic_stiffness",
           fmt::format("is less than {:.6g} N/m, the least stiffness of friction with this loss per cycle", k_lowest)};
 }
 
-// For M4 and M5. A dashpot has no force at the turning points, which define the stiffness: K_n = K_st + F_f0/A_n.
+// For M4 and M5. A dashpot has no force at the turning points, where the stiffness is defined: K_n = K_st + F_f0/A_n.
 std::optional<Obstacle> turningPointObstacle(const WorkingPoint& point) {
   const double k_lowest = point.k_st + point.frictionLoss() / kCoulombLossRatio;
   return point.k_n > k_lowest * (1.0 + kStiffnessMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
@@ -82,18 +82,18 @@ element::ElementDescription frictionAtTurningPoint(const WorkingPoint& point) {
   return bergElement(u, friction_stiffness * point.amplitude, point.amplitude);
 }
 
-// M6: K* of spring and Maxwell element at f_n, the latter with the viscous share of the loss.
+// Returns K* of spring and Maxwell element of M6 at f_n. The Maxwell element has the viscous share of the loss.
 std::complex<double> linearStiffness(const WorkingPoint& point, double frequency_ratio /* f_n/f_b */) {
   const double loss = point.viscousLossStiffness();
   return {point.k_st + loss * frequency_ratio, loss};
 }
 
-// Peak force over amplitude of the settled loop: Eq. 1 with the true peak, which the viscous part puts a little before
-// the turning point. phase: angle before the turning point.
+// Returns the peak force over the amplitude of the settled loop (Eq. 1). The viscous part shifts the peak to a little
+// before the turning point. The search varies `phase`, the angle before the turning point.
 double peakStiffness(std::complex<double> linear, double u, double friction_stiffness /* F_f0/A */) {
   const double mu = settledMu(u);
   const auto minus_force = [&](double phase) {
-    const double way = u * 0.5 * (1.0 + std::cos(phase));  // from the reference point, over z2 (1 + mu)
+    const double way = u * 0.5 * (1.0 + std::cos(phase));  // relative to the reference point, over z2 (1 + mu0)
     const double friction = friction_stiffness * (-1.0 + (1.0 / mu + 1.0) * way / (1.0 + way));
     return -(linear.real() * std::cos(phase) + linear.imag() * std::sin(phase) + friction);
   };

@@ -1,5 +1,5 @@
-// M1 (Kelvin-Voigt), M2 with one Maxwell element and M3 (Maxwell element and dashpot): closed forms.
-// Source: Polach (IAVSD 2015), Eqs. 10 to 16.
+// M1 (Kelvin-Voigt), M2 with one Maxwell element and M3 (Maxwell element and dashpot) in closed form. Source: Polach
+// (IAVSD 2015), Eqs. 10 to 16.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// Stiffness k1 that gives |K*(f_n)| = K_n at a break frequency; positive root of
-// k1^2 + 2 K_st k1 = (K_n^2 - K_st^2)(1 + (f_b/f_n)^2).
+// Returns the stiffness k1 that gives |K*(f_n)| = K_n at a break frequency f_b: the positive root of k1^2 + 2 K_st k1 =
+// (K_n^2 - K_st^2)(1 + (f_b/f_n)^2).
 double maxwellStiffness(const Specification& specification, double break_frequency) {
   const double k_st = specification.at("static_stiffness");
   const double k_n = specification.at("dynamic_stiffness");
@@ -56,7 +56,7 @@ double breakFrequencyForHighStiffness(const Specification& specification) {
   };
   const double f_n = specification.at("nominal_frequency");
   const double f_h = specification.at("high_frequency");
-  // K^2 - K_st^2 is proportional to f^2/(f^2 + f_b^2).
+  // K^2 - K_st^2 at a frequency f is proportional to f^2/(f^2 + f_b^2).
   const double ratio = added("dynamic_stiffness") / added("high_frequency_stiffness") * (f_h / f_n) * (f_h / f_n);
   return std::sqrt((f_h * f_h - ratio * f_n * f_n) / (ratio - 1.0));
 }
@@ -80,7 +80,7 @@ std::optional<Obstacle> highFrequencyObstacle(const Specification& specification
 std::optional<Obstacle> maxwellObstacle(const Specification& specification) {
   if (specification.has("high_frequency_stiffness")) {
     auto obstacle = highFrequencyObstacle(specification);
-    // With a break frequency far above f_h the element is a dashpot, which has the steepest rise.
+    // With a break frequency far above f_h the element acts as a dashpot, whose stiffness rises most.
     if (!obstacle && !std::isfinite(breakFrequencyForHighStiffness(specification))) {
       obstacle = Obstacle{"high_frequency_stiffness", "rises more from f_n to f_h than one Maxwell element allows"};
     }
@@ -105,7 +105,7 @@ std::optional<Obstacle> maxwellDashpotObstacle(const Specification& specificatio
 }
 
 std::vector<element::ElementDescription> estimateKelvinVoigt(const Specification& specification) {
-  // tan(delta) = 2 pi f c0/k0 = 2 D: Eq. 11. K_n is the storage stiffness; |K*| = K_n/cos(delta).
+  // Eq. 11: tan(delta) = 2 pi f c0/k0 = 2 D. K_n is the storage stiffness k0, so |K*| = K_n/cos(delta).
   const double stiffness = specification.at("dynamic_stiffness");
   const double damping =
       stiffness * std::tan(lossAngle(specification)) / (2.0 * element::kPi * specification.at("nominal_frequency"));
@@ -134,8 +134,8 @@ std::vector<element::ElementDescription> estimateMaxwellDashpot(const Specificat
   const double f_n = specification.at("nominal_frequency");
   const double f_b = specification.at("break_frequency");
   const std::complex<double> dynamic = std::polar(specification.at("dynamic_stiffness"), lossAngle(specification));
-  const double storage = dynamic.real() - k_st;              // of the Maxwell element
-  const double loss = dynamic.imag() - storage * f_b / f_n;  // of the dashpot
+  const double storage = dynamic.real() - k_st;              // storage stiffness of the Maxwell element
+  const double loss = dynamic.imag() - storage * f_b / f_n;  // loss stiffness of the dashpot
   const double stiffness = storage * (1.0 + (f_b / f_n) * (f_b / f_n));
   return {{"spring", {{"stiffness", {k_st}}}},
           {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {f_b}}}},

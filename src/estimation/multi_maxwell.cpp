@@ -1,6 +1,5 @@
-// M2 with n_M Maxwell elements from five inputs.
-// Source: Polach (IAVSD 2015), Eqs. 17 to 22. Eq. 22 is illegible in the source; f_l = n_M f_h/10^(n_M - 1) is a
-// reconstruction, the reading that keeps its symbols and agrees with the text around Fig. 8.
+// M2 with n_M Maxwell elements from five inputs. Source: Polach (IAVSD 2015), Eqs. 17 to 22. Eq. 22 is illegible in the
+// source; f_l = n_M f_h/10^(n_M - 1) is reconstructed from its symbols and agrees with the text around Fig. 8.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,16 +18,16 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Keeps the roots away from alpha = 0 and infinity, where some elements vanish.
+// Margin of the roots from alpha = 0 and infinity, where some elements vanish.
 constexpr double kBandMargin = 1e-9;
-// Relative margin at the ends of the search over K_max, where alpha reaches its limits.
+// Relative margin at the limits of the search for K_max, where alpha reaches its limits.
 constexpr double kEndMargin = 1e-6;
-// Steps of the scan for a high frequency with the given loss angle.
+// Steps of the scan for the f_h that gives the loss angle.
 constexpr int kBandSteps = 60;
 
 // The inputs, each looked up once.
 struct Inputs {
-  const Specification& specification;  // for inputs that are used once, and for errors
+  const Specification& specification;  // for inputs that are used once, and for messages
   double static_stiffness;
   double dynamic_stiffness;
   double nominal_frequency;
@@ -50,13 +49,13 @@ struct Inputs {
         elements(static_cast<int>(valueOrDefault(given, "maxwell_elements"))) {}
 };
 
-// Eq. 22 as reconstructed, unless the user gives f_l.
+// Returns f_l from the user, or else from Eq. 22 as reconstructed.
 double lowFrequency(const Inputs& inputs, double high_frequency) {
   const int count = inputs.elements;
   return inputs.low_frequency ? *inputs.low_frequency : count * high_frequency / std::pow(10.0, count - 1);
 }
 
-// Eq. 17: arithmetic means of the edges of n_M bands that are equal on a log axis over [f_l, f_h].
+// Returns the break frequencies (Eq. 17): arithmetic means of the limits of n_M bands of equal width on a log axis.
 std::vector<double> breakFrequencies(const Inputs& inputs, double high_frequency) {
   const double low_frequency = lowFrequency(inputs, high_frequency);
   const double q = std::pow(high_frequency / low_frequency, 1.0 / inputs.elements);
@@ -69,8 +68,8 @@ std::vector<double> breakFrequencies(const Inputs& inputs, double high_frequency
   return frequencies;
 }
 
-// Calls `visit` with index and share of each element, Eq. 18: alpha^(n_M - i)/sum of alpha^(j - 1). Powers of a ratio
-// of at most 1, from the element with the largest share on, cannot overflow.
+// Calls `visit` with index and share of each element, alpha^(n_M - i)/sum of alpha^(j - 1) (Eq. 18). It begins with the
+// largest share, so that powers of a ratio of at most 1 cannot overflow.
 template <class Visit>
 void forEachShare(double alpha, std::size_t count, Visit visit) {
   const bool rising = alpha < 1.0;  // the last element has the largest share
@@ -86,7 +85,7 @@ void forEachShare(double alpha, std::size_t count, Visit visit) {
   }
 }
 
-// K* over k of each Maxwell element at a frequency.
+// Returns K*/k of each Maxwell element with stiffness k at a frequency.
 std::vector<Complex> relativeStiffnesses(const std::vector<double>& break_frequencies, double frequency) {
   std::vector<Complex> stiffness(break_frequencies.size());
   std::transform(break_frequencies.begin(), break_frequencies.end(), stiffness.begin(), [&](double break_frequency) {
@@ -97,20 +96,20 @@ std::vector<Complex> relativeStiffnesses(const std::vector<double>& break_freque
   return stiffness;
 }
 
-// K* of all Maxwell elements over the sum of their stiffnesses, from that of each.
+// Returns K* of all Maxwell elements over the sum of their stiffnesses, from K*/k of each element.
 Complex relativeStiffness(double alpha, const std::vector<Complex>& of_each) {
   Complex sum = 0.0;
   forEachShare(alpha, of_each.size(), [&](std::size_t i, double share) { sum += share * of_each[i]; });
   return sum;
 }
 
-// If a frequency lies within the break frequencies, alpha can weight the elements to act like one element of it.
+// Returns true if alpha can make the elements act like one, because the frequency is between their break frequencies.
 bool embraces(const std::vector<double>& break_frequencies, double frequency) {
   return break_frequencies.front() * (1.0 + kBandMargin) < frequency &&
          frequency < break_frequencies.back() * (1.0 - kBandMargin);
 }
 
-// The solved model in the terms of Eqs. 17 to 19.
+// Solution for the quantities of Eqs. 17 to 19.
 struct Solution {
   double high_frequency;
   std::vector<double> break_frequencies;
@@ -118,7 +117,7 @@ struct Solution {
   double alpha;
 };
 
-// Relative stiffness with its derivative by ln(alpha).
+// Returns the relative stiffness and its derivative with respect to ln(alpha).
 std::pair<Complex, Complex> relativeStiffnessWithSlope(double alpha, const std::vector<Complex>& of_each) {
   Complex sum = 0.0;
   Complex moment = 0.0;
@@ -132,10 +131,10 @@ std::pair<Complex, Complex> relativeStiffnessWithSlope(double alpha, const std::
   return {sum, moment - mean_exponent * sum};
 }
 
-// Solves |K*(f_n)| = K_n for alpha, Eqs. 20 and 21; the stiffness increases with alpha, so the root is unique. Newton's
-// method for |K*|^2 over ln(alpha), within bounds.
+// Solves |K*(f_n)| = K_n for alpha (Eqs. 20 and 21). The root is unique, because the stiffness increases with alpha.
+// Newton's method is applied to |K*|^2 as a function of ln(alpha), within bounds.
 double alphaForStiffness(const Inputs& inputs, const std::vector<double>& break_frequencies) {
-  constexpr double kWidest = 60.0;  // of ln(alpha); shares down to kBandMargin need 21 at most
+  constexpr double kWidest = 60.0;  // limit of ln(alpha); shares down to kBandMargin need at most 21
   constexpr int kDigits = 50;
   const double k_st = inputs.static_stiffness;
   const double added = inputs.maximum_stiffness.value() - k_st;
@@ -153,7 +152,7 @@ double alphaForStiffness(const Inputs& inputs, const std::vector<double>& break_
   return std::exp(root);
 }
 
-// Loss angle at f_n of the model with this high frequency that meets K_n and K_max.
+// Returns the loss angle at f_n of the model with this f_h that meets K_n and K_max.
 double angleForBand(const Inputs& inputs, double high_frequency) {
   const double k_st = inputs.static_stiffness;
   const std::vector<double> break_frequencies = breakFrequencies(inputs, high_frequency);
@@ -162,8 +161,8 @@ double angleForBand(const Inputs& inputs, double high_frequency) {
   return std::arg(k_st + (inputs.maximum_stiffness.value() - k_st) * relativeStiffness(alpha, of_each));
 }
 
-// The working point has to lie in the band that a user gives. A low frequency from Eq. 22 only places the elements;
-// their break frequencies decide whether they can meet the working point.
+// Returns true if the band contains the working point, or if the user gives no f_l: a low frequency from Eq. 22 only
+// places the elements, whose break frequencies decide whether they can meet the working point.
 bool bandIsOrdered(const Inputs& inputs, double high_frequency) {
   const double f_n = inputs.nominal_frequency;
   return f_n < high_frequency && (!inputs.low_frequency.has_value() || inputs.low_frequency.value() < f_n);
@@ -174,8 +173,8 @@ bool bandMeetsStiffness(const Inputs& inputs, double high_frequency) {
          embraces(breakFrequencies(inputs, high_frequency), breakFrequencyForMaximum(inputs.specification));
 }
 
-// The lowest high frequency at which the model that meets K_n and K_max also has the loss angle. Two bands often have
-// it; the narrower one has the smoother curves.
+// Returns the lowest f_h with which the model that meets K_n and K_max also has the loss angle. Often two values of f_h
+// do; the narrower band has the smoother curves.
 std::optional<double> highFrequencyForAngle(const Inputs& inputs) {
   const double f_n = inputs.nominal_frequency;
   const double target = lossAngle(inputs.specification);
@@ -184,7 +183,7 @@ std::optional<double> highFrequencyForAngle(const Inputs& inputs) {
     return bandMeetsStiffness(inputs, high_frequency) ? angleForBand(inputs, high_frequency) - target
                                                       : std::numeric_limits<double>::quiet_NaN();
   };
-  // The elements reach down to about f_l/2 and the band is at most as wide as Eq. 22 or 10^4 f_n makes it.
+  // The elements extend down to about f_l/2. The band is at most as wide as Eq. 22 or 10^4 f_n makes it.
   const auto root = lowestRoot(mismatch, 0.0, std::log(1e4), kBandSteps);
   return root ? std::make_optional(f_n * std::exp(*root)) : std::nullopt;
 }
@@ -194,7 +193,7 @@ Solution solveForMaximum(const Inputs& inputs) {
   const double high_frequency = inputs.high_frequency.value();
   std::vector<double> break_frequencies = breakFrequencies(inputs, high_frequency);
   const std::vector<Complex> of_each = relativeStiffnesses(break_frequencies, f_n);
-  // Loss over storage of the elements is the mean of f_b/f_n weighted by their storage; it falls with alpha.
+  // The ratio of loss to storage of all elements is the mean of f_b/f_n weighted by storage. It decreases with alpha.
   const double ratio = breakFrequencyForLossAngle(inputs.specification) / f_n;
   const double alpha = increasingRoot([&](double trial) {
     const Complex relative = relativeStiffness(trial, of_each);
@@ -206,8 +205,8 @@ Solution solveForMaximum(const Inputs& inputs) {
   return {high_frequency, std::move(break_frequencies), k_st + added, alpha};
 }
 
-// K_max at which the model that meets K_n has the specified stiffness at f_h, which increases with K_max. Its limits
-// are those of one Maxwell element with the first and with the last break frequency.
+// Returns K_max for which the model that meets K_n has the specified stiffness at f_h, which increases with K_max. The
+// limits of K_max are those of one Maxwell element with the first or the last break frequency.
 double maximumForHighStiffness(Inputs inputs) {
   const double k_st = inputs.static_stiffness;
   const double high_frequency = inputs.high_frequency.value();
@@ -253,7 +252,7 @@ std::optional<Obstacle> orderObstacle(const Inputs& inputs) {
   return Obstacle{"low_frequency", "is not below " + inputText(inputs.specification, "nominal_frequency")};
 }
 
-// A single element would have this break frequency; it has to lie within those of the elements.
+// Checks that the break frequency of an equivalent single element lies between the break frequencies of the elements.
 std::optional<Obstacle> spreadObstacle(const std::string& key, const Inputs& inputs, double frequency) {
   const std::vector<double> b = breakFrequencies(inputs, inputs.high_frequency.value());
   if (embraces(b, frequency)) {
@@ -343,7 +342,7 @@ std::vector<element::ElementDescription> multiMaxwellElements(const Specificatio
                                                               double alpha) {
   Specification specification = band;
   for (const char* key : {"static_stiffness", "dynamic_stiffness", "nominal_frequency"}) {
-    specification.set(key, 0.0);  // not used
+    specification.set(key, 0.0);  // any value, because it is not used
   }
   const Inputs inputs(specification);
   return maxwellElements(breakFrequencies(inputs, band.at("high_frequency")), relaxing, alpha);

@@ -8,11 +8,11 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// A testing machine of class 1 (ISO 7500-1) measures a force to 1 %, so it cannot distinguish stiffnesses that are
-// closer.
+// A testing machine of class 1 (ISO 7500-1) measures forces to 1 %, so it cannot distinguish stiffnesses that differ by
+// less.
 constexpr double kStiffnessAccuracy = 0.01;
 
-// A mass of 1 kg deflects this stiffness [N/m] by 1 cm; components of vehicles are far stiffer.
+// A mass of 1 kg deflects this stiffness [N/m] by 1 cm. Components of vehicles are far stiffer.
 constexpr double kSoftestStiffness = 1000.0;
 
 void warnOfNeighbours(std::vector<std::string>& warnings, const Specification& specification, const std::string& upper,
@@ -39,7 +39,7 @@ void warnOfSoftness(std::vector<std::string>& warnings, const Specification& spe
   }
 }
 
-// K_max is the limit at any frequency; a data sheet states the stiffness at f_h.
+// States the stiffness at f_h, as a data sheet does; K_max is the limit at infinite frequency.
 std::string highFrequencyNote(const Specification& specification, double high_frequency) {
   const double stiffness = std::abs(stiffnessAt(estimateTangent(Model::multi_maxwell, specification), high_frequency));
   const WrittenUnit unit = specification.writtenUnit("maximum_stiffness");
@@ -70,9 +70,9 @@ std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
   return notes;
 }
 
-// Notes friction that is at its limit over nearly all of the motion, as Coulomb friction is: the largest possible loss.
+// Adds a note if friction is at its limit over nearly all of the motion, like Coulomb friction, whose loss is largest.
 void addSharpFriction(std::vector<std::string>& notes, Model model, const Specification& specification) {
-  constexpr double kSharp = 0.02;  // of the amplitude
+  constexpr double kSharp = 0.02;  // share of the amplitude
   for (const element::ElementDescription& entry : estimateTangent(model, specification)) {
     if (entry.type == "friction" && entry.value("displacement") < kSharp * specification.at("nominal_amplitude")) {
       notes.push_back(fmt::format(

@@ -1,4 +1,4 @@
-// Fit of a model to points: Levenberg-Marquardt over the logarithms of its elements' numbers.
+// Fit of a model to points by a Levenberg-Marquardt search over the logarithms of its elements' parameters.
 #include "estimation/point_fit.h"
 
 #include <fmt/format.h>
@@ -19,13 +19,13 @@ namespace {
 
 using FitEntries = std::vector<element::ElementDescription>;
 
-constexpr double kAnyPointAmplitude = 1e-3;  // [m] for linear components, which do not depend on it
-const double kWidestFit = std::log(1e4);     // of a number to either side of its start
+constexpr double kAnyPointAmplitude = 1e-3;  // [m]; for linear components, which do not depend on it
+const double kWidestFit = std::log(1e4);     // limit of a logarithm on either side of its start
 
-// A parameter of the model's elements, fitted or kept.
+// A parameter of the model's elements, which is fitted or fixed.
 struct FitNumber {
   const char* name;
-  std::vector<double> starts;  // one if it is kept
+  std::vector<double> starts;  // starts of the search; one if the parameter is fixed
   bool kept = false;
 };
 
@@ -44,7 +44,7 @@ class PointFit {
     }
     constexpr double kStep = 1e-6;  // loops are settled to 1e-9
     numerics::DifferencedSquares misfit([this](const Eigen::VectorXd& x) { return residuals(x); }, kStep);
-    residuals(start(0));  // throws if the component itself is refused
+    residuals(start(0));  // throws if the component itself is rejected
     numerics::Optimum best{{}, std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < combinations; ++i) {
       const numerics::Optimum found = numerics::searchLeast(misfit, start(i), limits());
@@ -199,7 +199,7 @@ class PointFit {
     return count;
   }
 
-  // Logarithms of the fitted numbers at one combination of their starts.
+  // Returns the logarithms of the fitted parameters at one combination of their starts.
   Eigen::VectorXd start(std::size_t combination) const {
     std::vector<double> logarithms;
     for (const FitNumber& number : numbers_) {
@@ -232,7 +232,7 @@ class PointFit {
     return band;
   }
 
-  // Elements with a linear spring in place of a static curve.
+  // Returns the elements with a linear spring in place of the static curve.
   FitEntries tangentElements(const Eigen::VectorXd& logarithms) const {
     const auto value = [&](const char* name) { return valueOf(logarithms, name); };
     FitEntries elements = {{"spring", {{"stiffness", {value("spring")}}}}};
@@ -288,7 +288,7 @@ class PointFit {
     return result;
   }
 
-  // Limits of the logarithms, on either side of the first starts.
+  // Returns the limits of the logarithms, on either side of the first starts.
   numerics::Limits limits() const {
     const Eigen::VectorXd first = start(0);
     return {first.array() - kWidestFit, first.array() + kWidestFit};
@@ -320,7 +320,7 @@ class PointFit {
     return text;
   }
 
-  // The specification of the fitted base: inverse of Eqs. 10 to 21 of Polach (IAVSD 2015).
+  // Returns the specification of the fitted base, by the inverse of Eqs. 10 to 21 of Polach (IAVSD 2015).
   Specification baseOf(const Eigen::VectorXd& logarithms) const {
     Specification base = given_;
     base.describe(Describes::base);
@@ -364,7 +364,7 @@ class PointFit {
     return base;
   }
 
-  // M4 and M5 have K_n at the turning point, where a dashpot has no force; losses are those in closed form.
+  // M4 and M5 have K_n at the turning point, where a dashpot has no force. Their losses are computed in closed form.
   void setFriction(Specification& base, const Eigen::VectorXd& logarithms, double peak_stiffness) const {
     const double z2 = valueOf(logarithms, "friction_displacement");
     const element::BergFriction friction(valueOf(logarithms, "friction_stiffness") * z2, z2, 0.0);

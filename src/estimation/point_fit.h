@@ -1,4 +1,4 @@
-// The model that is nearest to measured points of stiffness and loss angle.
+// Fit of a model to measured points of stiffness and loss angle.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace rubber_suspension::estimation {
 
-/// Returns the base with the least sum of weight |d ln K + i d delta|^2 over the points, of the whole component if the
-/// specification describes that. A static_stiffness or static_curve, a break_frequency and the band of multi_maxwell
-/// are kept where they are given. The numbers of the base are those at nominal_frequency and nominal_amplitude, by
-/// default the geometric means of those of the points. Throws std::invalid_argument if the points do not determine the
-/// model, or a key is given that is fitted.
+/// Returns the base that minimises the sum over all points of weight |d ln K + i d delta|^2, computed for the whole
+/// component if the specification describes that. A given static_stiffness or static_curve, break_frequency and band of
+/// multi_maxwell are kept. The numbers of the base refer to nominal_frequency and nominal_amplitude, which default to
+/// the geometric means over the points. Throws std::invalid_argument if the points do not determine the model, or if a
+/// key that is to be fitted is given.
 Resolved fitPoints(Model model, const Specification& specification,
                    const std::vector<element::ElementDescription>& add);
 

@@ -1,4 +1,4 @@
-// Roots of functions of one number.
+// Roots of functions of one variable.
 #pragma once
 
 #include <boost/math/tools/roots.hpp>
@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::estimation {
 
-/// Returns the root between two numbers at which a function has these values, of opposite signs, to so many bits.
+/// Returns the root between `low` and `high`, where the function has values of opposite signs, to `bits` bits.
 template <class Function>
 double rootBetween(Function function, double low, double high, double at_low, double at_high, int bits = 50) {
   boost::uintmax_t iterations = 200;
@@ -15,7 +15,7 @@ double rootBetween(Function function, double low, double high, double at_low, do
   return 0.5 * (bracket.first + bracket.second);
 }
 
-/// Returns the lowest root between two of `steps` even steps; nullopt if there is none. NaN counts as no sign change.
+/// Returns the lowest root that a scan in `steps` even steps finds; nullopt if none. NaN is no change of sign.
 template <class Function>
 std::optional<double> lowestRoot(Function function, double low, double high, int steps, int bits = 50) {
   double before = low;
@@ -32,7 +32,7 @@ std::optional<double> lowestRoot(Function function, double low, double high, int
   return std::nullopt;
 }
 
-/// Returns the root of an increasing function of a positive number, which may be decades away from 1.
+/// Returns the root of an increasing function of a positive variable, which may be decades away from 1.
 template <class Function>
 double increasingRoot(Function function) {
   boost::uintmax_t iterations = 200;

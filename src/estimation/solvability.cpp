@@ -1,4 +1,4 @@
-// Intervals of a single input: a scan for values with a solution, its edges refined by bisection.
+// Intervals of a single input that have a solution: a scan finds them, and bisection refines their limits.
 #include "estimation/solvability.h"
 
 #include <fmt/format.h>
@@ -14,10 +14,10 @@ namespace rubber_suspension::estimation {
 namespace {
 
 struct ScanDensity {
-  double decades;              // how far the scan goes from the given value, to either side
-  int points_per_decade;       // of the scan
-  int near_points_per_decade;  // of the distance to another input of the same unit
-  double tolerance;            // of an edge
+  double decades;              // range of the scan on either side of the given value
+  int points_per_decade;       // per decade of the scan
+  int near_points_per_decade;  // per decade of the distance to another input of the same unit
+  double tolerance;            // relative error of a limit
 };
 
 ScanDensity densityOf(Scan scan) {
@@ -33,7 +33,7 @@ void addScanPoints(std::vector<double>& points, double value, const ScanDensity&
   }
 }
 
-// Intervals may begin at another input, such as K_n just above K_st, and be narrow.
+// Intervals may be narrow and begin at another input, for example K_n just above K_st.
 void addPointsNear(std::vector<double>& points, double value, const ScanDensity& density) {
   for (int i = 1; i <= 6 * density.near_points_per_decade; ++i) {
     const double distance = std::pow(10.0, -static_cast<double>(i) / density.near_points_per_decade);
@@ -63,9 +63,9 @@ std::vector<double> scanPoints(const Specification& specification, const element
   return points;
 }
 
-// The edge between a value without and a value with a solution.
+// Returns the limit between a value without a solution and a value with one.
 double edge(double without, double with, const std::function<bool(double)>& solvable, double tolerance) {
-  constexpr int kMostHalvings = 200;  // ends the loop if no double lies between the ends
+  constexpr int kMostHalvings = 200;  // ends the loop if there is no number between the limits
   for (int i = 0; i < kMostHalvings && std::abs(with - without) > tolerance * std::abs(with); ++i) {
     const double middle = 0.5 * (without + with);
     (solvable(middle) ? with : without) = middle;
@@ -87,7 +87,7 @@ std::string describe(const std::vector<element::Range>& intervals, const element
   return fmt::format("{} {}{}{}", input.name, text, unit.name == "1" ? "" : " ", unit.name == "1" ? "" : unit.name);
 }
 
-// Returns a value of few digits inside an interval, near one of its ends.
+// Returns a value with few digits inside an interval, near one of its limits.
 double roundedInside(const element::Range& interval, double end) {
   constexpr double kInside = 0.01;
   const double width = std::min(interval.upper - interval.lower, std::abs(end));
@@ -96,12 +96,12 @@ double roundedInside(const element::Range& interval, double end) {
   return std::round(value / unit) * unit;
 }
 
-// The solvable specification that is nearest to the given one.
+// The specification with a solution that is nearest to the given one.
 class Nearest {
  public:
   explicit Nearest(const Solvable& solvable) : solvable_(solvable) {}
 
-  /// Offers a specification with one input moved into these intervals. `before`: distance by which others were moved.
+  /// Offers a specification with one input moved into `intervals`. `before`: distance of earlier moves of other inputs.
   void offer(const Specification& specification, const element::ParameterInfo& input,
              const std::vector<element::Range>& intervals, double before = 0.0) {
     const double given = specification.at(input.name);
@@ -132,14 +132,14 @@ class Nearest {
   double distance_ = std::numeric_limits<double>::infinity();
 };
 
-// Returns the inputs that a search may move, which excludes displacements that may be 0.
+// Returns the inputs that a search may change. Displacements that may be 0 are excluded.
 std::vector<element::ParameterInfo> searchedInputs(const Specification& specification) {
   return element::those(specificationParameters(), [&](const element::ParameterInfo& input) {
     return specification.has(input.name) && input.range.lower >= 0.0;
   });
 }
 
-// Offers changes of all other inputs after `first` was multiplied by a factor.
+// Offers changes of each other input after `first` was multiplied by a factor.
 void moveBeside(const element::ParameterInfo& first, double factor, const Specification& specification,
                 const Solvable& solvable, Nearest& nearest) {
   Specification moved = specification;
@@ -152,7 +152,7 @@ void moveBeside(const element::ParameterInfo& first, double factor, const Specif
   }
 }
 
-// If no single input helps, changes two: the first by as little as possible.
+// Changes two inputs, the first by as little as possible, if no single input helps.
 void moveTwo(const Specification& specification, const Solvable& solvable, Nearest& nearest) {
   for (const double by : {0.02, 0.1, 0.3, 0.7}) {
     for (const element::ParameterInfo& first : searchedInputs(specification)) {

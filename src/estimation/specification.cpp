@@ -1,4 +1,4 @@
-// Tables of the specification and of the models, their check, and the dispatch of the estimation.
+// Tables of the specification and of the models, their checks, and the choice of the function that estimates.
 #include "rubber_suspension/estimation/specification.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// More than this ratio of dynamic to static stiffness is a slip of a power of ten, not rubber (1.1 to about 4).
+// A larger ratio of dynamic to static stiffness is an error by a power of ten; rubber has 1.1 to about 4.
 constexpr double kLargestStiffnessRatio = 10.0;
 
 struct NamedModel {
@@ -106,8 +106,8 @@ const std::vector<NamedModel>& models() {
   return table;
 }
 
-// Keys that every model accepts: an amplitude, on which linear models do not depend, and, with `describes` or a static
-// curve, the whole working point.
+// Keys that every model accepts: an amplitude, which does not affect linear models, and the rest of the working point,
+// which `describes` and a static curve need.
 const std::vector<std::string> kWorkingPoint = {"nominal_amplitude", "nominal_displacement", "nominal_force"};
 
 const NamedModel& entry(Model model) { return models().at(static_cast<std::size_t>(model)); }
@@ -156,7 +156,7 @@ void checkInput(const std::string& key, double value) {
   }
 }
 
-// The missing key comes first: "loss_angle is missing, or relative_damping in its place".
+// Returns a text that begins with the missing key: "loss_angle is missing, or relative_damping in its place".
 std::string missingText(const std::vector<std::string>& missing, std::size_t needed) {
   const auto split = missing.begin() + static_cast<std::ptrdiff_t>(needed);
   const std::vector<std::string> first(missing.begin(), split);
@@ -186,7 +186,7 @@ void checkGroup(const NamedModel& model, const Specification& specification, con
   }
 }
 
-// high_frequency_stiffness replaces maximum_stiffness and needs its frequency.
+// Checks high_frequency_stiffness, which replaces maximum_stiffness and needs its frequency.
 void checkHighFrequency(const NamedModel& model, const Specification& specification) {
   const bool stiffness = specification.has("high_frequency_stiffness");
   element::refuseIf(stiffness && !specification.has("high_frequency"),
@@ -375,7 +375,7 @@ std::vector<element::ElementDescription> estimateTangent(Model model, const Spec
 
 namespace {
 
-// The specification of one block, with the tangent of the curve there.
+// Returns the specification of one set of numbers, with the tangent of the curve at its displacement.
 Specification blockOf(Model model, const Specification& given, const Specification::Values& block) {
   Specification specification = given;
   specification.setPreloads({});
@@ -389,7 +389,7 @@ Specification blockOf(Model model, const Specification& given, const Specificati
   return specification;
 }
 
-// Maxwell elements and dashpots of all blocks, element by element: linear in the displacement between blocks.
+// Joins the Maxwell elements and dashpots of all sets of numbers, interpolated linearly over the displacement.
 std::vector<element::ElementDescription> joined(const std::vector<double>& displacement,
                                                 const std::vector<std::vector<element::ElementDescription>>& blocks) {
   std::vector<element::ElementDescription> result;
@@ -504,7 +504,7 @@ WrittenUnit Specification::writtenUnit(std::string_view name) const {
 
 std::optional<Obstacle> ratioObstacle(const Specification& specification) {
   const double k_st = specification.valueOr("static_stiffness", HUGE_VAL);
-  // The numbers of a base may be any part of those of the component.
+  // The numbers of a base may be a small part of the numbers of the component.
   if (specification.describes() == Describes::base) {
     return std::nullopt;
   }
@@ -521,7 +521,7 @@ std::optional<Obstacle> stiffnessObstacle(const Specification& specification) {
   const std::optional<double> k_st = specification.find("static_stiffness");
   const std::optional<double> k_n = specification.find("dynamic_stiffness");
   const std::optional<double> k_max = specification.find("maximum_stiffness");
-  // A missing number becomes NaN, which compares false.
+  // A missing number becomes NaN, with which every comparison is false.
   const auto orNone = [](const std::optional<double>& value) {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
   };

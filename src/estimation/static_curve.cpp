@@ -16,7 +16,7 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// Piece that contains a displacement; the end pieces extend beyond the curve.
+// Returns the index of the piece that contains a displacement. The first and last piece extend beyond the curve.
 std::size_t pieceAt(const std::vector<double>& displacement, double z) {
   const auto after = std::upper_bound(displacement.begin() + 1, displacement.end() - 1, z);
   return static_cast<std::size_t>(after - displacement.begin()) - 1;
@@ -85,7 +85,7 @@ double StaticCurve::displacementAt(double wanted) const {
 
 namespace {
 
-// The slope of the curve over that at the working point, with a step at each point of the curve.
+// The slope of the curve relative to that at the working point, with a step at each point of the curve.
 struct SlopeFactor {
   std::vector<double> displacement;
   std::vector<double> factor;

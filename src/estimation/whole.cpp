@@ -1,4 +1,4 @@
-// The base of a whole component: roots on settled loops.
+// Finds the base of a component by root search on settled loops.
 #include "rubber_suspension/estimation/whole.h"
 
 #include <fmt/format.h>
@@ -20,26 +20,26 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-constexpr double kFromEnd = 1e-9;     // of an interval of K_n, whose ends have no solution
+constexpr double kFromEnd = 1e-9;     // share of an interval of K_n, whose limits have no solution
 constexpr double kAgreement = 1e-10;  // relative error of the loss or of the high-frequency stiffness
 constexpr int kMostSteps = 40;
-constexpr double kAnyAmplitude = 1e-3;  // [m] for linear components, which do not depend on it
+constexpr double kAnyAmplitude = 1e-3;  // [m]; for linear components, which do not depend on it
 
 // Thrown if there is no solution.
 struct Unsolvable {
   Obstacle obstacle;
-  std::string accepted;  // what is accepted, if that is known without a search
+  std::string accepted;  // accepted values, if they are known without a search
 };
 
 using Entries = std::vector<element::ElementDescription>;
 
-// Returns nullptr for other elements and for those on the rig.
+// Returns the parallel law of an element; nullptr for other elements and for elements on the rig.
 const element::ParallelElement* lawOfComponent(const element::ElementPointer& element) {
   const element::ParallelElement* law = element::parallelLaw(element);
   return law == nullptr || law->onRig() ? nullptr : law;
 }
 
-// Returns false for laws that never settle under a sine: drift of the rig, factors that depend on history.
+// Returns false for laws that never settle under a sine: drift of the rig, and factors that depend on history.
 bool settles(const element::ElementDescription& entry) {
   const element::ElementPointer element = element::makeElement(entry);
   const element::Element& law = element::lawOf(element);
@@ -83,14 +83,14 @@ class Whole {
     subtract();
   }
 
-  // True if loops are fast to compute: parallel elements, and no Maxwell elements that have to settle along a curve.
+  // Returns true if loops are fast to compute: all added elements are parallel, and there is no static curve.
   bool isQuick() const {
     return given_.curve() == nullptr && std::all_of(add_.begin(), add_.end(), [](const auto& entry) {
              return lawOfComponent(element::makeElement(entry)) != nullptr;
            });
   }
 
-  // Throws Unsolvable. `thorough`: scans if secants fail.
+  // Throws Unsolvable. `thorough`: scans the range if secants fail.
   Specification solve(bool thorough) const {
     if (const std::optional<Obstacle> obstacle = ratioObstacle(given_)) {
       throw Unsolvable{*obstacle, {}};
@@ -110,13 +110,13 @@ class Whole {
   }
 
  private:
-  // Sets the other numbers of a base with this K_n; returns false if there are none.
+  // Sets the other numbers of a base with this K_n. Returns false if there is no solution.
   using Complete = std::function<bool(Specification& base, double stiffness)>;
 
   double frequency() const { return given_.at("nominal_frequency"); }
   double amplitude() const { return given_.valueOr("nominal_amplitude", kAnyAmplitude); }
 
-  // K_n sin(delta) [N/m].
+  // Returns the loss stiffness K_n sin(delta) [N/m].
   std::optional<double> loss() const {
     const auto angle = specifiedLossAngle(given_);
     return angle ? std::make_optional(given_.at("dynamic_stiffness") * std::sin(*angle)) : std::nullopt;
@@ -157,7 +157,7 @@ class Whole {
     return whole.loss / (element::kPi * amplitude() * amplitude());
   }
 
-  // The added elements, on a spring of K_n.
+  // Returns the characteristics of the added elements in parallel with a spring of stiffness K_n.
   response::Characteristics ofAdded(double at_frequency) const {
     return characteristics({{"spring", {{"stiffness", {given_.at("dynamic_stiffness")}}}}}, at_frequency);
   }
@@ -166,7 +166,7 @@ class Whole {
     return ofAdded(at_frequency).stiffness - given_.at("dynamic_stiffness");
   }
 
-  // Finds the K_n of the base with which the whole has the given one; `complete` sets its other numbers.
+  // Finds K_n of the base with which the component has the given K_n. `complete` sets the base's other numbers.
   void solveStiffness(Specification& base, const Complete& complete) const {
     if (obstacle_) {
       throw Unsolvable{*obstacle_, {}};
@@ -215,7 +215,7 @@ class Whole {
   // Returns the intervals of K_n in which a base has a solution.
   template <class WithStiffness>
   std::vector<std::pair<double, double>> intervals(const Specification& base, const WithStiffness& with) const {
-    constexpr double kFar = 100.0;  // times K_n, if there is no upper end
+    constexpr double kFar = 100.0;  // multiple of K_n, if there is no upper limit
     Specification start = base;
     start.set("dynamic_stiffness", given_.at("dynamic_stiffness"));
     const element::ParameterInfo& input = *element::findParameter(specificationParameters(), "dynamic_stiffness");
@@ -232,7 +232,7 @@ class Whole {
     return found;
   }
 
-  // Solves for K_n with a loss stiffness [N/m] of the base; returns the relative error of that of the whole.
+  // Finds K_n for a loss stiffness [N/m] of the base. Returns the relative error of the component's loss stiffness.
   double solveLoss(Specification& base, double loss) const {
     solveStiffness(base, [&](Specification& trial, double stiffness) {
       const double sine = loss / stiffness;  // the tangent for M1, whose K_n is the storage stiffness
@@ -253,7 +253,7 @@ class Whole {
            1.0;
   }
 
-  // Solves for a second number besides K_n, by secants from `start`, which is exact if forces are additive.
+  // Finds a second number besides K_n by secants from `start`, which is already the root if forces are additive.
   template <class Solve>
   Specification solveBoth(bool thorough, Solve solve, double start) const {
     const double wanted = loss() ? *loss() : given_.at("high_frequency_stiffness");
@@ -325,7 +325,7 @@ class Whole {
 
   Model model_;
   const Specification& given_;
-  Specification base_;  // K_n and the second number are still the given ones
+  Specification base_;  // K_n and the second number are still the values of the component
   Entries add_;
   double mean_ = 0.0;
   std::optional<Obstacle> obstacle_;
@@ -359,7 +359,7 @@ bool hasSolution(Model model, const Specification& specification, const Entries&
 
 Resolved resolve(Model model, const Specification& specification, const Entries& add) {
   if (!specification.preloads().empty()) {
-    return {specification, {}, {}};  // of the base; estimate() refuses anything else
+    return {specification, {}, {}};  // describes a base; estimate() rejects any other
   }
   if (!specification.points().empty()) {
     return fitPoints(model, specification, add);

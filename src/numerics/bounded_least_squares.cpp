@@ -1,4 +1,4 @@
-// Bounded least squares by an active set.
+// Bounded least squares by an active-set method.
 #include "numerics/bounded_least_squares.h"
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 namespace rubber_suspension::numerics {
 namespace {
 
-// Relative to the unit diagonal of the scaled Gram matrix: keeps collinear columns from large opposed coefficients that
-// rounding alone decides.
+// Ridge relative to the unit diagonal of the scaled Gram matrix. Without it collinear columns could have large opposed
+// coefficients that depend on rounding alone.
 constexpr double kRidge = 1e-9;
 constexpr double kGradientTolerance = 1e-11;
 
 struct Problem {
   Eigen::MatrixXd gram;  // scaled to a unit diagonal
-  bool exact;            // without ridge: the rank has to be found
+  bool exact;            // no ridge, so that the rank has to be determined
   Eigen::VectorXd moment;
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
@@ -36,7 +36,7 @@ Eigen::VectorXd solveFree(const Problem& problem, const std::vector<int>& free, 
   return solveSymmetric(gram, moment);
 }
 
-// Moves x towards the solution on the free set until a bound is met; that unknown leaves the free set.
+// Moves x towards the solution on the free set until a bound is reached; the variable there leaves the free set.
 bool moveFeasibly(const Problem& problem, std::vector<int>& free, const Eigen::VectorXd& target, Eigen::VectorXd& x) {
   double step = 1.0;
   std::size_t blocking = free.size();
@@ -78,7 +78,7 @@ int mostViolated(const Problem& problem, const std::vector<int>& free, const Eig
 Eigen::VectorXd solveWithin(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment, const Eigen::VectorXd& lower,
                             const Eigen::VectorXd& upper, double ridge) {
   const Eigen::VectorXd scale =
-      gram.diagonal().array().max(1e-300).sqrt().inverse().matrix();  // a zero column keeps its coefficient at 0
+      gram.diagonal().array().max(1e-300).sqrt().inverse().matrix();  // the coefficient of a zero column remains 0
   Problem problem{scale.asDiagonal() * gram * scale.asDiagonal(), ridge == 0.0, scale.cwiseProduct(moment),
                   lower.cwiseQuotient(scale), upper.cwiseQuotient(scale)};
   problem.gram.diagonal().array() += ridge;
@@ -101,7 +101,7 @@ Eigen::VectorXd solveWithin(const Eigen::MatrixXd& gram, const Eigen::VectorXd& 
     free.push_back(entering);
   }
   Eigen::VectorXd result = scale.cwiseProduct(x);
-  for (Eigen::Index i = 0; i < x.size(); ++i) {  // an unknown on a bound is exactly equal to it
+  for (Eigen::Index i = 0; i < x.size(); ++i) {  // a variable at a bound equals it exactly
     result[i] = x[i] == problem.lower[i] ? lower[i] : x[i] == problem.upper[i] ? upper[i] : result[i];
   }
   return result;

@@ -1,4 +1,4 @@
-// Least squares with bounds on each unknown, from the normal equations: the solver of all fits.
+// Least squares with bounds on each variable, from the normal equations. All fits use this solver.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,14 +6,14 @@
 
 namespace rubber_suspension::numerics {
 
-/// Minimises x'Gx/2 - b'x subject to lower <= x <= upper, G symmetric and positive semidefinite, by an active set
-/// (Lawson and Hanson 1974; Stark and Parker 1995 for two-sided bounds). In directions that G does not determine, x is
-/// the admissible point nearest to 0, within the accuracy of a ridge of 1e-9 of G's diagonal. Sizes up to some tens.
+/// Minimises x'Gx/2 - b'x subject to lower <= x <= upper, with a symmetric, positive semidefinite G, by an active-set
+/// method (Lawson and Hanson 1974; Stark and Parker 1995 for two-sided bounds). Where G does not determine x, it is the
+/// admissible point nearest to 0, up to a ridge of 1e-9 of G's diagonal.
 Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                     const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
-/// Minimises x'Gx/2 - b'x subject to 0 <= x_i where signed_unknown[i] is false. Without a ridge, so exact to rounding,
-/// by a rank-revealing decomposition: collinear columns get the solution of least norm, a column of zeros x_i = 0.
+/// Minimises x'Gx/2 - b'x subject to x_i >= 0 where signed_unknown[i] is false. A rank-revealing decomposition makes it
+/// exact to rounding; collinear columns have the solution of least norm.
 Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                         const std::vector<bool>& signed_unknown);
 

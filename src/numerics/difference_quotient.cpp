@@ -1,4 +1,4 @@
-// Difference quotients to one side, and central ones.
+// One-sided and central difference quotients.
 #include "numerics/difference_quotient.h"
 
 #include <utility>

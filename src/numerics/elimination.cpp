@@ -1,4 +1,4 @@
-// Elimination by Cholesky factors of the unknowns' own part.
+// Elimination of the variables of single blocks by Cholesky factors.
 #include "numerics/elimination.h"
 
 #include <algorithm>
@@ -14,15 +14,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Raises the penalty so that unknowns that the blocks do not determine are 0, with no noticeable effect on the others.
+// Raises the penalty so that variables that no block determines become 0; the effect on the others is negligible.
 VectorXd withMinimumPenalty(const VectorXd& penalty, const MatrixXd& sum) {
-  constexpr double kLeast = 1e-10;  // of the sum over all blocks
+  constexpr double kLeast = 1e-10;  // share of the sum over all blocks
   constexpr double kNothing = 1e-300;
   const VectorXd least = (kLeast * sum.diagonal().tail(penalty.size())).cwiseMax(kNothing);
   return penalty.cwiseMax(least);
 }
 
-// Unknowns that minimise the residual of each column of X.
+// Returns the eliminated variables that minimise the residual of each column of X.
 MatrixXd eliminate(const MatrixXd& products, const VectorXd& penalty) {
   const Index own = penalty.size();
   MatrixXd gram = products.bottomRightCorner(own, own);
@@ -30,13 +30,13 @@ MatrixXd eliminate(const MatrixXd& products, const VectorXd& penalty) {
   return Cholesky(gram).solve(MatrixXd(products.bottomLeftCorner(own, products.cols() - own)));
 }
 
-// Schur complement: products of the residuals at the best unknowns, including the penalty of these.
+// Returns the Schur complement: products of the residuals at the optimal eliminated variables, with their penalty.
 MatrixXd schurComplement(const MatrixXd& products, const MatrixXd& shares) {
   const Index width = shares.cols();
   return products.topLeftCorner(width, width) - products.topRightCorner(width, shares.rows()) * shares;
 }
 
-// Products of the residuals X - U shares, for any shares.
+// Returns the products of the residuals X - U shares for arbitrary `shares`.
 MatrixXd residualProducts(const MatrixXd& products, const MatrixXd& shares) {
   const Index own = shares.rows();
   const Index width = shares.cols();
@@ -55,7 +55,7 @@ MatrixXd sumOf(const std::vector<MatrixXd>& products) {
   return sum;
 }
 
-// Sums rather than subtracts, so that what is zero without a fold is exactly zero.
+// Adds the blocks of all other folds, rather than subtracting from the sum, so that zeros remain exact.
 std::vector<MatrixXd> sumsWithoutFold(const std::vector<MatrixXd>& products, const BlockPlaces& places) {
   std::vector<MatrixXd> sums(static_cast<std::size_t>(places.folds),
                              MatrixXd::Zero(products.front().rows(), products.front().cols()));

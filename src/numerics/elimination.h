@@ -1,5 +1,5 @@
-// Elimination of unknowns of single blocks of samples from normal equations (block-arrow structure): cost and memory
-// are those of the common unknowns, however many blocks have unknowns of their own.
+// Elimination of the variables of single blocks of samples from normal equations (block-arrow structure). Cost and
+// memory are as for the common variables alone, however many blocks have variables of their own.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,34 +7,34 @@
 
 namespace rubber_suspension::numerics {
 
-/// Products of columns over blocks of samples, and of the residuals of each block after a fit to the others.
+/// Products of columns over blocks of samples, and over each block with variables estimated from other folds.
 struct BlockProducts {
-  Eigen::MatrixXd sum;                        ///< of all blocks
-  std::vector<Eigen::MatrixXd> without_fold;  ///< of all but those of a fold
-  std::vector<Eigen::MatrixXd> in_sample;     ///< of each block; they add up to `sum`
-  std::vector<Eigen::MatrixXd> held_out;      ///< of each block, with its own unknowns estimated without its fold
+  Eigen::MatrixXd sum;                        ///< sum of all blocks
+  std::vector<Eigen::MatrixXd> without_fold;  ///< sum of all blocks outside of each fold
+  std::vector<Eigen::MatrixXd> in_sample;     ///< products of each block; they add up to `sum`
+  std::vector<Eigen::MatrixXd> held_out;      ///< products of each block, with its variables estimated from other folds
 };
 
-/// The fold of each block, and its share in all.
+/// Fold and weight of each block.
 struct BlockPlaces {
   std::vector<int> fold;
   std::vector<double> share;
   int folds = 0;
-  bool in_sample = true;  ///< the products in sample are needed, too
+  bool in_sample = true;  ///< true if BlockProducts::in_sample is needed
 };
 
-/// Eliminates U from the `products` of [X U], where U has unknowns of each block with a penalty on their squares, such
-/// as measurement errors of unit variance. A held-out block contributes what it adds to the least squares of the
-/// others, and its share of the penalty on their solution.
+/// Eliminates U from the `products` of [X U]. U contains variables of each block with a penalty on their squares, such
+/// as measurement errors of unit variance. A held-out block contributes what it adds to the least squares of the other
+/// blocks, and its share of the penalty of their solution.
 BlockProducts withoutErrors(const std::vector<Eigen::MatrixXd>& products, const Eigen::VectorXd& penalty,
                             const BlockPlaces& places);
 
-/// Eliminates U from the `products` of [X U], where U has the unknowns of a law: a held-out block has the solution of
-/// the other folds. `shares` becomes the solution from all blocks for each column of X.
+/// Eliminates U from the `products` of [X U]. U contains the variables of a law, for which a held-out block uses the
+/// solution of the other folds. `shares` becomes the solution from all blocks for each column of X.
 BlockProducts withoutUnknowns(const BlockProducts& products, const Eigen::VectorXd& penalty, const BlockPlaces& places,
                               Eigen::MatrixXd& shares);
 
-/// Merges the blocks of each fold, also in `places`, and drops the products in sample.
+/// Merges the blocks of each fold, also in `places`. The result has no in_sample.
 BlockProducts byFold(const BlockProducts& products, BlockPlaces& places);
 
 /// Returns the products of a selection of columns.

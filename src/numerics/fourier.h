@@ -7,8 +7,8 @@
 
 namespace rubber_suspension::numerics {
 
-/// The discrete Fourier transform of real samples; powers of two are fastest. It stores tables for each length, so use
-/// one object for pieces of the same length.
+/// The discrete Fourier transform of real samples, fastest for powers of two. An object stores tables for each length,
+/// so use one object for all pieces of the same length.
 class Fourier {
  public:
   Fourier();
@@ -16,7 +16,7 @@ class Fourier {
   Fourier& operator=(const Fourier&) = delete;
   ~Fourier();
 
-  /// Returns lines 0 to N/2 of N samples, sum over n of x[n] exp(-2 pi i k n / N); the others are their conjugates.
+  /// Returns lines k = 0 to N/2 of N samples, sum over n of x[n] exp(-2 pi i k n / N); the others are conjugates.
   std::vector<std::complex<double>> halfSpectrum(const std::vector<double>& samples);
 
  private:
@@ -24,11 +24,11 @@ class Fourier {
   std::unique_ptr<Tables> tables_;
 };
 
-/// Returns the spectrum of samples padded with zeros to a power of two, `shortest` or more: this preserves energies and
-/// is fast at any length.
+/// Returns the spectrum of samples padded with zeros to a power of two of at least `shortest`. Padding preserves
+/// energies and is fast for any length.
 std::vector<std::complex<double>> paddedSpectrum(std::vector<double> samples, std::size_t shortest = 2);
 
-/// Returns the `count` real samples with these lines 0 to N/2.
+/// Returns the `count` real samples whose lines 0 to N/2 are given.
 std::vector<double> samplesOf(const std::vector<std::complex<double>>& half_spectrum, std::size_t count);
 
 }  // namespace rubber_suspension::numerics

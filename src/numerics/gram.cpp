@@ -1,4 +1,4 @@
-// Products of columns, a block of samples at a time.
+// Products of columns, computed for one block of samples at a time.
 #include "numerics/gram.h"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace rubber_suspension::numerics {
 
-constexpr std::size_t kColumnLanes = 8;  // sums that run side by side, on any processor
-constexpr std::size_t kTile = 3;         // columns on either side whose sums stay in registers
+constexpr std::size_t kColumnLanes = 8;  // sums in vector lanes, the same number on any processor
+constexpr std::size_t kTile = 3;         // columns of each factor whose sums stay in registers
 constexpr std::size_t kTileSums = kTile * kTile * kColumnLanes;
 
 }  // namespace rubber_suspension::numerics
@@ -20,16 +20,16 @@ constexpr std::size_t kTileSums = kTile * kTile * kColumnLanes;
 namespace rubber_suspension::numerics {
 namespace {
 
-constexpr Eigen::Index kBlock = 256;  // samples: two tiles stay in the first-level cache
+constexpr Eigen::Index kBlock = 256;  // samples; two tiles fit into the first-level cache
 
-// Pointers to the samples of each column in a block, in whole tiles; an incomplete block is copied and padded with
-// zeros.
+// Returns pointers to the samples of each column in a block, for whole tiles. An incomplete block is copied and padded
+// with zeros.
 std::vector<const double*> block(const Eigen::Ref<const Eigen::MatrixXd>& columns, Eigen::Index first,
                                  std::size_t tiles, std::vector<double>& copy) {
   const Eigen::Index count = std::min(kBlock, columns.rows() - first);
   const bool whole = count == kBlock;
   copy.assign(static_cast<std::size_t>((whole ? 1 : columns.cols() + 1) * kBlock), 0.0);
-  std::vector<const double*> places(tiles * kTile, copy.data());  // the first of the copies is of zeros
+  std::vector<const double*> places(tiles * kTile, copy.data());  // the first copy contains zeros
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
     const double* const samples = columns.col(j).data() + first;
     double* const to = copy.data() + (whole ? 0 : j + 1) * kBlock;

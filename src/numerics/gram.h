@@ -5,10 +5,10 @@
 
 namespace rubber_suspension::numerics {
 
-/// Returns the Gram matrix columns^T * columns, to the same bits on all processors.
+/// Returns the Gram matrix columns^T * columns, bit by bit the same on all processors.
 Eigen::MatrixXd gramOf(const Eigen::Ref<const Eigen::MatrixXd>& columns);
 
-/// Returns left^T * right, to the same bits on all processors. Both have the same number of rows.
+/// Returns left^T * right, bit by bit the same on all processors. Both factors need the same number of rows.
 Eigen::MatrixXd productOf(const Eigen::Ref<const Eigen::MatrixXd>& left,
                           const Eigen::Ref<const Eigen::MatrixXd>& right);
 

@@ -1,8 +1,8 @@
-// Products of columns with columns, for one kind of processor. Sums run over eight lanes on each of them, so
-// that all give the same bits. See instruction_sets.h.
+// Products of columns for one kind of processor (see instruction_sets.h). Every kind adds in eight lanes, so that all
+// give the same bits.
 #include "processor/lanes.h"
 
-/// Adds the products of three columns with three others to their sums over eight lanes.
+/// Adds the products of three left columns with three right columns to their sums, which have eight lanes.
 inline void addTile(const double* const* left, const double* const* right, std::size_t count, double* sums) {
   for (std::size_t lane = 0; lane < kColumnLanes; lane += kWidth) {
     Lanes sum[kTile][kTile] = {};
@@ -24,8 +24,8 @@ inline void addTile(const double* const* left, const double* const* right, std::
   }
 }
 
-/// Adds the products of left columns with right columns to `sums`, tile by tile. If both are the same columns, it adds
-/// only the upper triangle. The number of samples is a multiple of eight.
+/// Adds the products of left columns with right columns to `sums`, tile by tile. If `same`, left and right are the same
+/// columns, and only the upper triangle is added. The number of samples has to be a multiple of eight.
 inline void addProducts(const double* const* left, std::size_t left_tiles, const double* const* right,
                         std::size_t right_tiles, bool same, std::size_t count, double* sums) {
   for (std::size_t row = 0; row < left_tiles; ++row) {

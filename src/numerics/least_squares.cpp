@@ -1,4 +1,4 @@
-// Least squares by orthogonal decompositions that find the rank.
+// Least squares by rank-revealing orthogonal decompositions.
 #include "numerics/least_squares.h"
 
 #include <Eigen/Eigenvalues>
@@ -40,9 +40,9 @@ Eigen::MatrixXd orthonormalColumns(const Eigen::MatrixXd& columns, double least_
   return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), factor.rank());
 }
 
-// With C = U S V' from the eigenvalues S^2 of C' C, N = U sqrt(1 - 1/sqrt(1 + S^2)).
+// With C = U S V', where S^2 are the eigenvalues of C'C, the result is N = U sqrt(1 - 1/sqrt(1 + S^2)).
 Eigen::MatrixXd whiteningColumns(const Eigen::MatrixXd& c) {
-  constexpr double kNothing = 1e-12;  // of the largest S^2, and of 1: rounding
+  constexpr double kNothing = 1e-12;  // relative to 1 and to the largest S^2; a smaller value is rounding
   if (c.cols() == 0) {
     return c;
   }

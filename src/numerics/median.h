@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::numerics {
 
-/// Returns the upper of the two middle values for an even count, 0 for none. Changes the order of the values.
+/// Returns the median, which is the upper middle value for an even count and 0 without values. Reorders the values.
 template <class Number>
 Number medianIn(std::vector<Number>& values) {
   if (values.empty()) {
@@ -17,7 +17,7 @@ Number medianIn(std::vector<Number>& values) {
   return *middle;
 }
 
-/// Returns the median; the values keep their order.
+/// Returns the median as medianIn(), without reordering the argument.
 template <class Number>
 Number medianOf(std::vector<Number> values) {
   return medianIn(values);

@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::numerics {
 
-/// Returns the value below which a share of the sorted values (at least one) lies, linear between the ranks.
+/// Returns the value below which a share of the sorted values (at least one) lies, by linear interpolation.
 inline double quantileOf(const std::vector<double>& sorted, double share) {
   const double rank = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(rank);

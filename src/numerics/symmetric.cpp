@@ -1,4 +1,4 @@
-// Symmetric matrices, by Eigen.
+// Symmetric matrices by Eigen's decompositions.
 #include "numerics/symmetric.h"
 
 #include <Eigen/Cholesky>

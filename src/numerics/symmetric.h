@@ -5,12 +5,12 @@
 
 namespace rubber_suspension::numerics {
 
-/// The factor L of a positive definite matrix L L'.
+/// Cholesky factor L of a positive definite matrix L L'.
 class Cholesky {
  public:
   explicit Cholesky(const Eigen::MatrixXd& matrix);
 
-  /// Returns false if the matrix is not positive definite, so that there is no solution.
+  /// Returns false if the matrix is not positive definite, so that the factor does not exist.
   bool exists() const { return exists_; }
   auto diagonal() const { return factor_.diagonal(); }
 
@@ -18,15 +18,15 @@ class Cholesky {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
 
  private:
-  Eigen::MatrixXd factor_;  // above the diagonal: the elements of the matrix
+  Eigen::MatrixXd factor_;  // above the diagonal: the elements of the original matrix
   bool exists_ = false;
 };
 
-/// Solves by L D L', so the matrix may be singular or indefinite.
+/// Solves by the decomposition L D L', so the matrix may be singular or indefinite.
 Eigen::VectorXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// Eigenvalues in increasing order, with unit vectors as columns.
+/// Eigenvalues in increasing order, with unit eigenvectors as columns.
 struct Eigensystem {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;

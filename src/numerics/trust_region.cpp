@@ -1,4 +1,4 @@
-// Levenberg-Marquardt within limits.
+// Levenberg-Marquardt search within limits.
 #include "numerics/trust_region.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 namespace rubber_suspension::numerics {
 namespace {
 
-constexpr double kFirstRadius = 1e4;     // the first step is damped by 1e-4 of the diagonal of J'J
-constexpr double kLargestRadius = 1e16;  // no damping
+constexpr double kFirstRadius = 1e4;     // damps the first step by 1e-4 of the diagonal of J'J
+constexpr double kLargestRadius = 1e16;  // practically without damping
 constexpr double kSmallestRadius = 1e-32;
-constexpr double kLeastDamped = 1e-6;       // share of the unit below which a coordinate is damped like this share
-constexpr double kLeastImprovement = 1e-3;  // of the predicted reduction, for a step to be accepted
+constexpr double kLeastDamped = 1e-6;       // least share of the unit in the diagonal of J'J that the damping assumes
+constexpr double kLeastImprovement = 1e-3;  // share of the predicted reduction that an accepted step has to achieve
 
 // The region in which the quadratic model of the sum is trusted.
 class TrustRegion {
@@ -39,7 +39,7 @@ class TrustRegion {
   double shrinking_ = 2.0;
 };
 
-// Minimiser of the damped quadratic model within the limits.
+// Returns the step to the minimum of the damped quadratic model within the limits.
 Eigen::VectorXd stepFrom(const Eigen::VectorXd& x, const SumOfSquares::Slope& here, const Limits& limits,
                          double least_damped, double radius) {
   Eigen::MatrixXd damped = here.curvature;
@@ -47,7 +47,7 @@ Eigen::VectorXd stepFrom(const Eigen::VectorXd& x, const SumOfSquares::Slope& he
   return boundedLeastSquares(damped, -here.gradient, limits.lower - x, limits.upper - x);
 }
 
-// Predicted reduction of the sum by the quadratic model.
+// Returns the reduction of the sum that the quadratic model predicts.
 double promise(const SumOfSquares::Slope& here, const Eigen::VectorXd& step) {
   return -step.dot(2.0 * here.gradient + here.curvature * step);
 }
@@ -103,7 +103,7 @@ Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limit
         continue;
       }
     } else if (promised > 0.5 * last_promise) {
-      break;  // the gradient is down to rounding
+      break;  // the gradient is rounding
     } else {
       last_promise = promised;  // the sum is at its rounding, but the gradient still decreases
     }

@@ -1,4 +1,4 @@
-// Least squares over a few coordinates within limits: the search of the fits to logs and to tables.
+// Nonlinear least squares over a few coordinates within limits: the search of fits to logs and to tables.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,10 +6,10 @@
 
 namespace rubber_suspension::numerics {
 
-/// A sum of squared residuals over some coordinates.
+/// A sum of squared residuals as a function of some coordinates.
 class SumOfSquares {
  public:
-  /// J'r and J'J of the residuals r and their Jacobian J; not finite if there are no derivatives.
+  /// J'r and J'J for the residuals r with Jacobian J; not finite if there are no derivatives.
   struct Slope {
     Eigen::VectorXd gradient;
     Eigen::MatrixXd curvature;
@@ -17,23 +17,23 @@ class SumOfSquares {
 
   virtual ~SumOfSquares() = default;
 
-  /// Returns the sum at these coordinates; not finite if there is none.
+  /// Returns the sum at these coordinates; not finite if the residuals have no value there.
   virtual double at(const Eigen::VectorXd& x) = 0;
   /// Returns the slope at the coordinates of the last call of at().
   virtual Slope slope() = 0;
-  /// Returns a size compared with which a good fit is small, such as the sum of squares of the measured values.
+  /// Returns a value much larger than the sum of a good fit, for example the sum of squares of the measured values.
   virtual double unit() const = 0;
-  /// Returns the rounding of the sum, relative to unit().
+  /// Returns the rounding error of the sum relative to unit().
   virtual double rounding() const = 0;
 };
 
-/// Sum of squares of residuals, with a Jacobian by central differences. It has no value where they throw
+/// Sum of squares of residuals, with a Jacobian by central differences. It is not finite where the residuals throw
 /// std::invalid_argument.
 class DifferencedSquares final : public SumOfSquares {
  public:
   using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;
 
-  /// `step`: of each coordinate. The residuals of a good fit have to be small compared with 1.
+  /// `step`: step of each coordinate. The residuals of a good fit have to be small compared with 1.
   DifferencedSquares(Residuals residuals, double step) : residuals_(std::move(residuals)), step_(step) {}
 
   double at(const Eigen::VectorXd& x) override;
@@ -59,18 +59,18 @@ struct Limits {
 /// Convergence criteria of a search.
 struct SearchTolerances {
   int most_steps = 60;
-  double cost = 1e-10;  ///< relative change
-  double step = 1e-9;   ///< of the coordinates, relative to their length
+  double cost = 1e-10;  ///< relative change of the sum
+  double step = 1e-9;   ///< change of the coordinates relative to their length
 };
 
-/// The end of a search.
+/// Result of a search.
 struct Optimum {
   Eigen::VectorXd search;
   double cost = 0.0;  ///< not finite if the search could not begin
 };
 
-/// Minimises by Levenberg-Marquardt steps (J. J. More, Lect. Notes Math. 630 (1978) 105-116) over the coordinates that
-/// no limit holds. Ends with the tolerances, or if a step promises less than the rounding of the sum.
+/// Minimises by Levenberg-Marquardt steps (J. J. More, Lect. Notes Math. 630 (1978) 105-116) within the limits. Ends
+/// when `tolerances` are met, or when the predicted reduction is below the rounding of the sum.
 Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limits& limits,
                     const SearchTolerances& tolerances = {});
 

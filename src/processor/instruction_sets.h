@@ -1,6 +1,6 @@
-// Compiles the file that RUBBER_SUSPENSION_KERNELS names once for each kind of processor, each time in a namespace of
-// its own within that of RUBBER_SUSPENSION_LAYER. The portable binary holds all of them and chooses when it runs. Do
-// not use inline functions from elsewhere in fast parts of such a file: those are compiled for any processor.
+// Compiles the file RUBBER_SUSPENSION_KERNELS once for each kind of processor, each time in its own namespace within
+// that of RUBBER_SUSPENSION_LAYER. The portable binary contains all versions and chooses one at run time. Fast parts of
+// this file must not call inline functions from other headers, which are compiled for any processor.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -57,7 +57,7 @@ Kernel* chosen(Kernel* any, Kernel* avx2, Kernel* avx512) {
 
 }  // namespace rubber_suspension::processor
 
-/// The kernel of this name for the instructions in use.
+/// The version of a kernel for the instructions in use.
 #define RUBBER_SUSPENSION_KERNEL(name) ::rubber_suspension::processor::chosen(any::name, avx2::name, avx512::name)
 #else
 #define RUBBER_SUSPENSION_KERNEL(name) any::name

@@ -1,4 +1,4 @@
-// The instructions that this processor has.
+// Detects the vector instructions of this processor.
 #include "rubber_suspension/processor/instructions.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
-// Numbers side by side in one vector of the processor. No include guard: instruction_sets.h includes this once for each
-// kind of processor, in a namespace that defines how many numbers a vector has (kWidth).
+// Arithmetic on several numbers in one vector register. There is no include guard: instruction_sets.h includes this
+// file for each kind of processor, in a namespace that defines kWidth, the number of lanes.
 
-/// A vector type of GCC that Clang supports, too.
+/// A vector type of GCC that Clang also supports.
 using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
-/// The result of a comparison: all bits of a lane set, or none.
+/// The result of a comparison: in each lane either all bits are set or none.
 using LaneMask = decltype(Lanes{} < Lanes{});
 
 inline Lanes load(const double* numbers) {
@@ -14,10 +14,10 @@ inline Lanes load(const double* numbers) {
 
 inline void store(const Lanes& lanes, double* numbers) { std::memcpy(numbers, &lanes, sizeof lanes); }
 
-/// Copies a number to each lane.
+/// Returns a vector with the number in each lane.
 inline Lanes spread(double number) { return number - Lanes{}; }
 
-/// Moves each number to the lane before its own, and the first number of `following` to the last lane.
+/// Returns the lanes moved by one towards lane 0; the last lane is the first number of `following`.
 inline Lanes shifted(const Lanes& lanes, const Lanes& following) {
 #ifdef __clang__
   Lanes result;
@@ -42,7 +42,7 @@ inline Lanes magnitude(const Lanes& lanes) {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(lanes) & INT64_MAX);
 }
 
-/// Returns std::copysign for numbers whose own sign is positive.
+/// Returns std::copysign for positive numbers.
 inline Lanes withSignOf(const Lanes& positive, const Lanes& sign) {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(positive) | (reinterpret_cast<LaneMask>(sign) & INT64_MIN));
 }

@@ -1,4 +1,4 @@
-// From a data sheet to the elements of a model: specification, models, estimation.
+// Specification of a component, its models, and the estimation of their elements.
 #pragma once
 
 #include <algorithm>
@@ -16,44 +16,44 @@
 
 namespace rubber_suspension::estimation {
 
-/// The models of a component file, in the order of the paper.
+/// The models of a component file, with their numbers in the paper (Polach, IAVSD 2015).
 enum class Model {
   kelvin_voigt,      ///< M1
-  maxwell,           ///< M2 with one element
+  maxwell,           ///< M2 with one Maxwell element
   maxwell_dashpot,   ///< M3
   friction,          ///< M4
   friction_dashpot,  ///< M5
   berg,              ///< M6
-  multi_maxwell,     ///< M2 with n_M elements
-  elements,          ///< a list of elements, nothing to estimate
+  multi_maxwell,     ///< M2 with n_M Maxwell elements
+  elements,          ///< a list of elements, which needs no estimation
 };
 
-/// Returns the name in a component file.
+/// Returns the name of a model in a component file.
 std::string toString(Model model);
 
 /// Returns the model of that name, or nullopt.
 std::optional<Model> modelFromString(const std::string& name);
 
-/// A unit as the user wrote it.
+/// A unit as the user wrote it, for messages.
 struct WrittenUnit {
-  std::string name;  ///< "kN/mm"
-  double size;       ///< in the SI unit, such as 1e6 N/m
+  std::string name;  ///< for example "kN/mm"
+  double size;       ///< factor to the SI unit, for example 1e6 for kN/mm
 };
 
-/// Part of a component that its specification describes.
+/// The part of a component to which a specification refers.
 enum class Describes {
-  unsaid,     ///< the base, with a note if elements are added
-  base,       ///< the elements of the model alone
-  component,  ///< the whole, with the elements that are added
+  unsaid,     ///< the model, with a note if elements are added
+  base,       ///< the base: the elements of the model without added elements
+  component,  ///< the whole component, with added elements
 };
 
-/// Returns the name in a component file; "" for unsaid.
+/// Returns the name in a component file; "" for `unsaid`.
 std::string toString(Describes describes);
 
-/// One measured point of a component, for a fit.
+/// One measured point of a component, to which a model is fitted.
 struct SpecifiedPoint {
   double frequency = 0.0;            ///< [Hz]
-  double amplitude = 0.0;            ///< [m]; 0: not given
+  double amplitude = 0.0;            ///< [m]; 0 if not given
   std::optional<double> stiffness;   ///< [N/m]
   std::optional<double> loss_angle;  ///< [rad]
   double weight = 1.0;
@@ -61,11 +61,11 @@ struct SpecifiedPoint {
 
 /// Tolerances of the numbers of a data sheet, as standard deviations of their logarithms.
 struct SheetTolerance {
-  static constexpr double kUsual = 0.1;                ///< if none is given
-  static constexpr double kGuess = 2.302585092994046;  ///< ln 10: a guess
+  static constexpr double kUsual = 0.1;                ///< if the user gives none
+  static constexpr double kGuess = 2.302585092994046;  ///< ln 10: correct within an order of magnitude
 
   std::optional<double> of_all = {};
-  std::map<std::string, double, std::less<>> by_key = {};  ///< has precedence
+  std::map<std::string, double, std::less<>> by_key = {};  ///< tolerances of single numbers, which take precedence
 
   bool given() const { return of_all || !by_key.empty(); }
   double of(std::string_view key) const {
@@ -74,7 +74,7 @@ struct SheetTolerance {
   }
 };
 
-/// Numbers by the names of specificationParameters() [SI], loss angles in rad, and optionally a static curve or points.
+/// Numbers named as in specificationParameters() [SI], loss angles in rad, and optionally a static curve or points.
 class Specification {
  public:
   using Values = std::map<std::string, double, std::less<>>;
@@ -85,7 +85,7 @@ class Specification {
     const auto found = position(name);
     return found == values_.end() ? std::nullopt : std::optional<double>(found->second);
   }
-  /// Throws std::out_of_range if it is missing.
+  /// Throws std::out_of_range if there is no number of this name.
   double at(std::string_view name) const {
     const auto found = position(name);
     return found != values_.end() ? found->second : throw std::out_of_range(std::string(name));
@@ -106,21 +106,21 @@ class Specification {
   void setCurve(StaticCurve curve) { curve_ = std::make_shared<const StaticCurve>(std::move(curve)); }
   void eraseCurve() { curve_.reset(); }
 
-  /// Returns the points that replace the numbers of the model; empty if there are none.
+  /// Returns the points to which the model is fitted instead of using its numbers; empty without such points.
   const std::vector<SpecifiedPoint>& points() const { return points_; }
   void setPoints(std::vector<SpecifiedPoint> points) { points_ = std::move(points); }
 
-  /// Returns blocks of numbers that override values(), each at its own nominal displacement on the static curve.
+  /// Returns sets of numbers that override values(), each at its own nominal displacement on the static curve.
   const std::vector<Values>& preloads() const { return preloads_; }
   void setPreloads(std::vector<Values> preloads) { preloads_ = std::move(preloads); }
 
-  /// Sets the units of values in errors and warnings, by default SI. They change no value.
+  /// Sets the units that messages use for values, by default SI. This changes no value.
   void writeIn(Units units) { units_ = std::make_shared<const Units>(std::move(units)); }
-  /// Returns the unit for the parameter of that name in messages.
+  /// Returns the unit that messages use for the parameter of this name.
   WrittenUnit writtenUnit(std::string_view name) const;
 
  private:
-  /// Linear search: most of these few names differ in their length.
+  /// Linear search is fast, because most of these few names differ in length.
   Values::const_iterator position(std::string_view name) const {
     return std::find_if(values_.begin(), values_.end(), [&](const auto& value) { return value.first == name; });
   }
@@ -130,17 +130,17 @@ class Specification {
   Describes describes_ = Describes::unsaid;
   std::vector<SpecifiedPoint> points_;
   std::vector<Values> preloads_;
-  std::shared_ptr<const StaticCurve> curve_;  // shared, as specifications are copied often
+  std::shared_ptr<const StaticCurve> curve_;  // shared, because specifications are copied often
   std::shared_ptr<const Units> units_;
 };
 
-/// Returns the displacement z_0 [m] of the working point. Throws std::invalid_argument if nominal_force has none.
+/// Returns the displacement z_0 [m] of the working point. Throws std::invalid_argument if none has nominal_force.
 double nominalDisplacement(const Specification& specification);
 
 /// Returns the table of all numbers of `specification:`.
 const std::vector<element::ParameterInfo>& specificationParameters();
 
-/// Returns true for a number of the component that a sheet states and that may be wrong: no working point, no choice.
+/// Returns true for a property of the component, which may be wrong; false for a working point or a choice.
 bool isOfSheet(std::string_view name);
 
 /// The keys of a model's specification.
@@ -148,22 +148,22 @@ struct ModelInfo {
   Model model;
   std::string documentation;
   std::vector<std::string> required;
-  std::vector<std::vector<std::string>> one_of;  ///< exactly one of each group
+  std::vector<std::vector<std::string>> one_of;  ///< exactly one key of each group is required
   std::vector<std::string> optional;
-  std::vector<std::vector<std::string>> two_of;  ///< exactly two of each group
+  std::vector<std::vector<std::string>> two_of;  ///< exactly two keys of each group are required
 };
 
 const ModelInfo& modelInfo(Model model);
 
-/// Checks the specification against the tables for keys that are unknown, missing, superfluous or out of range. Throws
-/// std::invalid_argument that names key, value and what is accepted.
+/// Checks the specification against the tables for unknown, missing or superfluous keys and values out of range. Throws
+/// std::invalid_argument that states key, value and what is accepted.
 void checkSpecification(Model model, const Specification& specification);
 
-/// Returns the elements of the model that meets the specification of a base; resolve() converts others to one. Throws
-/// std::invalid_argument that names key, value and the interval with solutions if there is no solution.
+/// Returns the elements of the model that meets the specification of a base; resolve() converts other specifications.
+/// Throws std::invalid_argument that states key, value and the interval with solutions if there is no solution.
 std::vector<element::ElementDescription> estimate(Model model, const Specification& specification);
 
-/// Estimates elements with a linear spring, the tangent, in place of the static curve; none is scaled along the curve.
+/// Returns the elements with a linear spring, the tangent of the static curve, and no element scaled along the curve.
 std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& specification);
 
 }  // namespace rubber_suspension::estimation

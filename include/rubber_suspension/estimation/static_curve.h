@@ -1,4 +1,4 @@
-// The static curve of a component, in place of its static stiffness.
+// The static curve of a component, which replaces its static stiffness.
 #pragma once
 
 #include <vector>
@@ -7,32 +7,32 @@
 
 namespace rubber_suspension::estimation {
 
-/// Points of force over displacement, linear between them, with the end slopes beyond. Displacement and force are
-/// absolute: those of topics and logs.
+/// Points of force over displacement, interpolated linearly and extrapolated with the slopes at the ends. Displacement
+/// and force are absolute, as in topics and logs.
 struct StaticCurve {
   std::vector<double> displacement;  ///< increasing [m]
   std::vector<double> force;         ///< [N]
-  bool monotone = false;             ///< falling forces are refused
-  bool scales = true;  ///< Maxwell elements and dashpots scale with the slope of the curve at each displacement
+  bool monotone = false;             ///< a decreasing force is rejected
+  bool scales = true;  ///< true if Maxwell elements and dashpots scale with the slope of the curve at each displacement
 
-  /// Throws std::invalid_argument that begins with "static_curve" for lists that are no curve, for a slope that is
-  /// negative with `monotone`, and for one that is not positive with `scales`.
+  /// Throws std::invalid_argument that begins with "static_curve" if the lists are no curve, if a slope is negative
+  /// although `monotone`, or if a slope is not positive although `scales`.
   void check() const;
 
   double forceAt(double displacement) const;  ///< [N]
 
-  /// Returns the slope [N/m]; at a point of the curve the mean of both sides.
+  /// Returns the slope [N/m]. At a point of the curve it is the mean of the slopes on both sides.
   double tangentAt(double displacement) const;
 
-  /// Returns the displacement [m] of a force [N]. Throws std::invalid_argument if there is none, or more than one.
+  /// Returns the displacement [m] for a force [N]. Throws std::invalid_argument if there is none, or more than one.
   double displacementAt(double force) const;
 
-  /// Returns the slope of each piece [N/m].
+  /// Returns the slope between each two neighbouring points [N/m].
   std::vector<double> slopes() const;
 };
 
-/// Returns an element whose stiffness, damping or sliders follow the slope of the curve, relative to that at the
-/// working point [m]: Maxwell element, dashpot, bank of sliders. Throws std::invalid_argument for any other.
+/// Returns an element that scales with the slope of the curve relative to that at the working point [m]. Throws
+/// std::invalid_argument for elements other than a Maxwell element, a dashpot and a bank of sliders.
 element::ElementDescription scaledAlong(const StaticCurve& curve, double nominal_displacement,
                                         const element::ElementDescription& entry);
 

@@ -1,4 +1,4 @@
-// From a specification of a whole component, or of measured points, to the numbers of its base.
+// Finds the numbers of the base (the model without added elements) for a specification of a component, or for points.
 #pragma once
 
 #include <string>
@@ -8,30 +8,30 @@
 
 namespace rubber_suspension::estimation {
 
-/// A point of a fit, with stiffness and loss angle of the fitted component.
+/// A point to which a model was fitted, with stiffness and loss angle of the fitted component.
 struct PointMisfit {
   SpecifiedPoint point;
-  double stiffness = 0.0;   ///< of the component there [N/m]
-  double loss_angle = 0.0;  ///< [rad]
+  double stiffness = 0.0;   ///< of the fitted component at the point [N/m]
+  double loss_angle = 0.0;  ///< of the fitted component at the point [rad]
 };
 
 struct Resolved {
-  Specification specification;  ///< of the base: estimate() gives the elements of the model
+  Specification specification;  ///< for the base: estimate() returns its elements
   std::vector<std::string> notes;
-  std::vector<PointMisfit> points;  ///< of a fit, one for each point
+  std::vector<PointMisfit> points;  ///< all points of a fit; empty without a fit
 };
 
-/// Returns the base of a component with added elements. A specification of a base is returned unchanged.
+/// Returns the specification of the base of a component with the elements `add`. That of a base is returned unchanged.
 ///
-/// `describes: component`: the numbers with which the model, its static curve and the added elements have K_n, the loss
-/// angle and the high-frequency stiffness on the settled loop at (f_n, A_n) about the nominal displacement (Eqs. 1 and
-/// 2), to about 1e-9. K_st and K_max are those of the linear part and of the curve, with the added springs and Maxwell
-/// elements and without friction. Effects that never settle (drift, heating, softening) are ignored and named in the
-/// notes.
+/// If the specification describes the component, the model, its static curve and the added elements together meet K_n,
+/// the loss angle and the high-frequency stiffness. These are defined on the settled loop at nominal frequency and
+/// amplitude about the nominal displacement (Eqs. 1 and 2 of Polach, IAVSD 2015), and met to about 1e-9. K_st and K_max
+/// refer to the curve and the linear part, including added springs and Maxwell elements but no friction. Effects that
+/// never settle (drift, heating, softening) are ignored, as a note states.
 ///
-/// `points`: the numbers with the least sum of weight |d ln K + i d delta|^2 over the points.
+/// If points are given, the numbers minimise the sum over all points of weight |d ln K + i d delta|^2.
 ///
-/// Throws std::invalid_argument that names key, value and the interval with solutions if there is no solution.
+/// Throws std::invalid_argument that states key, value and the interval with solutions if there is no solution.
 Resolved resolve(Model model, const Specification& specification, const std::vector<element::ElementDescription>& add);
 
 }  // namespace rubber_suspension::estimation

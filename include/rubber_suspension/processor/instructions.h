@@ -1,19 +1,19 @@
-// Vector instructions of the code for blocks of samples. Throws nothing.
+// Vector instructions of the code that processes blocks of samples. No function here throws.
 #pragma once
 
 namespace rubber_suspension::processor {
 
-/// Kinds of processors for which such code is compiled. All give the same bits.
+/// Kinds of processors for which this code is compiled. The results are the same bit by bit.
 enum class Instructions {
-  any,     ///< those of every processor of the architecture
+  any,     ///< instructions that every processor of the architecture has
   avx2,    ///< four numbers at once
   avx512,  ///< eight numbers at once
 };
 
-/// Returns the widest of the processor, unless limited by useAtMost().
+/// Returns the widest instructions of this processor, unless useAtMost() limits them.
 Instructions instructionsInUse();
 
-/// Limits the instructions from here on, in all threads: for tests, and to measure what other processors would do.
+/// Limits the instructions of all threads from now on, for tests and to measure the speed of other processors.
 void useAtMost(Instructions most);
 
 }  // namespace rubber_suspension::processor
