@@ -18,9 +18,9 @@
 namespace rubber_suspension::component {
 namespace {
 
-constexpr std::size_t kPathBlock = 64;  // most steps at once, law after law
+constexpr std::size_t kPathBlock = 64;  // most steps that are computed together, law after law
 
-// The number of steps at once: a variable, or the constant 1 for the compiler.
+// The number of steps computed together: a variable, or for the compiler the constant 1.
 using One = std::integral_constant<std::size_t, 1>;
 template <class Number, class Count>
 using Block = std::array<Number, std::is_same_v<Count, One> ? 1 : kPathBlock>;
@@ -47,7 +47,7 @@ void scale(element::ComponentForce& force, double factor) {
   force.friction *= factor;
 }
 
-// One step of the effects that scale a force.
+// Applies one step of the effects that scale a force.
 template <class Effects>
 void scaleBy(const Effects& effects, const element::Motion& motion, double* memory, element::ComponentForce& force) {
   for (const auto& effect : effects) {
@@ -55,7 +55,7 @@ void scaleBy(const Effects& effects, const element::Motion& motion, double* memo
   }
 }
 
-// The forces of an element, added to those of others.
+// Adds the forces of an element to those of other elements.
 template <class Count>
 void addSteps(const element::ParallelElement& law, const element::Motion* motion, Count count, double* memory,
               element::ComponentForce* force) {
@@ -65,7 +65,7 @@ void addSteps(const element::ParallelElement& law, const element::Motion* motion
   }
 }
 
-// Forces of laws at the end of one step, summed up.
+// Returns the sum of the forces of several laws at the end of one step.
 template <class Laws>
 element::ComponentForce stepOf(Laws first, Laws last, const element::Motion& motion, double* memory) {
   element::ComponentForce sum;
@@ -75,7 +75,7 @@ element::ComponentForce stepOf(Laws first, Laws last, const element::Motion& mot
   return sum;
 }
 
-// Force that a step of dt [s] of linear laws adds for each metre.
+// Returns the force of linear laws per metre of a step of dt [s].
 template <class Laws>
 element::ComponentForce slopeOf(Laws first, Laws last, double dt, double* memory) {
   element::ComponentForce sum;
@@ -94,10 +94,10 @@ void addTimes(double factor, const element::ComponentForce& more, element::Compo
   sum.friction += factor * more.friction;
 }
 
-// Below absolute zero: no temperature is known.
+// A value below absolute zero, which means that no temperature is known.
 constexpr double kUnknownTemperature = -1e3;  // [degC]
 
-// Increments of displacements [m], the one before the first being kept in `last`.
+// Sets the increments of displacements [m]. `last` is the displacement before the first one and is updated.
 template <class Count>
 void takeIncrements(element::Motion* motion, Count count, double& last) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -110,7 +110,7 @@ void takeIncrements(element::Motion* motion, Count count, double& last) {
 
 Component::Component(const std::vector<element::ElementDescription>& elements) {
   element::BasicLaws basic_laws;
-  std::shared_ptr<kernel::SofteningBank> bank;  // of laws that follow each other
+  std::shared_ptr<kernel::SofteningBank> bank;  // collects laws that follow each other
   for (const element::ElementDescription& description : elements) {
     descriptions_.push_back(element::complete(description));
     const element::ElementPointer element = element::makeElement(description);
@@ -207,7 +207,7 @@ void Component::restore(ComponentState& state, double displacement, const std::v
   state.prepared_.branch = {};
 }
 
-// Factors of a temperature are greater than 0, so that time and force keep their signs.
+// The factors of a temperature have to be greater than 0, so that time and force keep their signs.
 bool Component::acceptsMemory(const double* memory) const {
   const auto all = [memory](const auto& placed) {
     return std::all_of(placed.begin(), placed.end(),
@@ -269,7 +269,7 @@ element::ComponentForce Component::startTestPiece(double displacement, Start kin
   return force;
 }
 
-// Displacement of a test piece with this force, which was at `before` at the beginning of the step.
+// Returns the displacement of a test piece with this force. `before`: its displacement at the beginning of the step.
 template <class Force>
 double Component::solveSeries(Force force, double path, double before, double guess) const {
   const double closed = solveSeriesBalance([&](double z) { return z + series_.deflection(force(z)) - path; }, guess);
@@ -387,7 +387,7 @@ void Component::stepsAlongPath(ComponentState& state, double dt, const double* d
         stepTestPiece(state.prepared_, &test_piece[i], One(), memory, force + i);
         continue;
       }
-      // The last trial was this step, except for the memory of the linear laws.
+      // The last trial was this step, except that it did not advance the memory of the linear laws.
       const element::Motion reduced{state.prepared_.dt, test_piece[i].displacement, test_piece[i].increment};
       stepOf(elements_.begin(), elements_.begin() + linear_count_, reduced, state.trial_.memory.data());
       std::copy_n(state.trial_.memory.begin(), trial_size_, memory);
@@ -412,7 +412,7 @@ void Component::applyDisplacementEffects(element::Motion* motion, Count count, d
   takeIncrements(motion, count, memory[behind_effects_slot_]);
 }
 
-// Displacement of the test piece behind the elements in series.
+// Returns the displacement of the test piece behind the elements in series.
 double Component::balance(ComponentState& state, const element::Motion& path) const {
   const double before = state.memory_[test_piece_slot_];
   if (elements_.empty() && force_effects_.empty() && shifts_.empty() && !series_.hasContact()) {
@@ -448,7 +448,7 @@ double Component::balance(ComponentState& state, const element::Motion& path) co
       path.displacement, before, series_.hasContact() ? path.displacement : before + path.increment);
 }
 
-// The sum of F_i.
+// Sums up the forces of all elements in parallel.
 template <class Count>
 void Component::stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count,
                              double* memory, element::ComponentForce* force) const {
@@ -460,7 +460,7 @@ void Component::stepElements(const kernel::PreparedStep& prepared, const element
   }
 }
 
-// F = sum of F_i, in reduced time and times b_T if there is a shift with temperature, then scaled by the force effects.
+// Sums up all elements, in reduced time and times b_T if there is a shift with temperature, and applies force effects.
 template <class Count>
 void Component::stepTestPiece(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count,
                               double* memory, element::ComponentForce* force) const {

@@ -1,4 +1,4 @@
-// The rules for time of poses.
+// Acceptance of stamped poses.
 #include "rubber_suspension/component/pose_stream.h"
 
 #include <cmath>
@@ -35,7 +35,7 @@ StreamWrench PoseStream::push(std::int64_t stamp, const Eigen::Vector3d& positio
     if (!component_.holds(result.coordinates)) {
       result.acceptance = Acceptance::beyond_measure;
     } else if (position.lpNorm<Eigen::Infinity>() > element::kLargestNumber) {
-      result.acceptance = Acceptance::force_not_finite;  // a delay would give a force that is not finite later
+      result.acceptance = Acceptance::force_not_finite;  // after a delay the force would not be finite
     } else {
       result.force = advance(result.acceptance, stamp, pose);
       if (!result.force.wrench.force.allFinite() || !result.force.wrench.moment.allFinite()) {

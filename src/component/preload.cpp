@@ -1,4 +1,4 @@
-// Factors by preload, and elements times a factor.
+// Factors of a preload, and scaling of elements.
 #include "rubber_suspension/component/preload.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Laws by the radius of two or three directions.
+// Laws that depend on the radius in two or three directions.
 #include "component/radial_coupling.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kSameToRounding = 1e-9;
 
-// Berg's friction has no form by the radius; the slider bank with the same numbers has, but behaves differently.
+// Berg's friction has no radial form. A slider bank with the same numbers has one, but behaves differently.
 [[noreturn]] void refuseBerg(const element::BergFriction& berg) {
   const double amplitude = berg.displacement();
   double force = 0.0;
@@ -43,7 +43,7 @@ constexpr std::size_t kVector = 3;
 
 using ElementList = std::vector<element::ElementDescription>;
 
-// Elements by their treatment in the coupling.
+// Elements sorted by their treatment in the coupling.
 struct SortedElements {
   ElementList along;  // separate in each direction
   ElementList elastic;
@@ -87,7 +87,7 @@ SortedElements sort(const std::vector<element::ElementDescription>& elements) {
   return sorted;
 }
 
-// Force of an elastic law, whose displacement is all of its state [N].
+// Returns the force [N] of an elastic law, which depends only on the displacement.
 double forceAt(const element::ElementPointer& law, double displacement) {
   return element::parallelLaw(law)->initialise(displacement, nullptr);
 }
@@ -135,7 +135,7 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
     points_[i].slope = (points_[i + 1].force - points_[i].force) / width;
     points_[i + 1].energy = points_[i].energy + 0.5 * (points_[i].force + points_[i + 1].force) * width;
   }
-  // The table continues beyond its last point, even if that is below 0.
+  // The table continues beyond its last point, even if its force becomes negative.
   const double beyond = points_.back().radius + std::max(points_.back().radius, 1.0);
   points_.back().slope = (forceAt(law, beyond) - points_.back().force) / (beyond - points_.back().radius);
 }
@@ -297,7 +297,7 @@ Eigen::Vector3d RadialCoupling::vectorOf(const Coordinates& coordinates) const {
   return vector;
 }
 
-// The gradient of U = sum c_i^2 U_i(r), c = d/r: F_j = c_j (sum c_i^2 F_i + 2 (U_j - U)/r).
+// Returns the gradient of U = sum c_i^2 U_i(r) with c = d/r: F_j = c_j (sum c_i^2 F_i + 2 (U_j - U)/r).
 Eigen::Vector3d RadialCoupling::elasticForce(const Eigen::Vector3d& d, bool with_stops) const {
   const double r = d.norm();
   if (r == 0.0) {
@@ -319,7 +319,7 @@ Eigen::Vector3d RadialCoupling::elasticForce(const Eigen::Vector3d& d, bool with
   return c.cwiseProduct((tangential.array() + share.dot(forces)).matrix());
 }
 
-// Force of all parts without memory.
+// Returns the force of all parts without memory.
 Eigen::Vector3d RadialCoupling::heldForce(const Eigen::Vector3d& d) const {
   Eigen::Vector3d force = elasticForce(d, true);
   for (std::size_t axis = 0; axis < directions_.size(); ++axis) {
@@ -337,7 +337,7 @@ void RadialCoupling::add(const Eigen::Vector3d& sum, double element::ComponentFo
   }
 }
 
-// Memory: the positions of the sliders, coordinate by coordinate; then the forces of the branches, axis by axis.
+// The memory contains the slider positions, coordinate by coordinate, and then the branch forces, axis by axis.
 void RadialCoupling::initialise(const Coordinates& coordinates, double* memory, BushForce& force) const {
   const Eigen::Vector3d d = vectorOf(coordinates);
   for (const double position : d) {
@@ -364,8 +364,8 @@ void RadialCoupling::step(double dt, const Coordinates& begin, const Coordinates
   }
 }
 
-// Limits the stretch of a slider's spring to the yield displacement, in its own direction; the slider moves by the
-// excess.
+// Limits the stretch of a slider's spring to the yield displacement without changing its direction; the slider moves by
+// the excess.
 Eigen::Vector3d RadialCoupling::stepSliders(const Eigen::Vector3d& d, double* memory) const {
   const std::size_t count = sliders_.size();
   double* const x = memory;
@@ -387,8 +387,8 @@ Eigen::Vector3d RadialCoupling::stepSliders(const Eigen::Vector3d& d, double* me
   return force;
 }
 
-// Visits the pieces of a straight path between the radii at which a slope changes, with the share of the path at their
-// ends. At a share s the radius is sqrt(least^2 + (length (s - nearest))^2).
+// Visits the pieces of a straight path between radii at which a slope changes, with the share s of the path at their
+// ends. The radius at s is sqrt(least^2 + (length (s - nearest))^2).
 template <class Visit>
 void RadialCoupling::visitPieces(const Eigen::Vector3d& begin, const Eigen::Vector3d& end, Visit visit) const {
   const Eigen::Vector3d way = end - begin;

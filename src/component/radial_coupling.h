@@ -1,4 +1,4 @@
-// Directions coupled by their radius: laws that are not separate for each direction.
+// Directions that are coupled by their radius: laws that do not act separately in each direction.
 #pragma once
 
 #include <array>
@@ -10,36 +10,36 @@
 
 namespace rubber_suspension::component {
 
-/// The static curve, the stops and the radial stiffnesses of one direction as functions of the radius r >= 0.
+/// The static curve, stops and radial stiffnesses of one direction as functions of the radius r >= 0.
 class RadialLaw {
  public:
-  /// Throws std::invalid_argument for a curve that is not odd, or is a second one.
+  /// Throws std::invalid_argument if the curve is not odd, or if there already is a curve.
   void addCurve(const element::ElementDescription& table);
   void addStop(const element::ElementDescription& stop);
   void addStiffening(const element::ElementDescription& radial);
 
   double curve(double r) const;  ///< force of the curve [N]
-  double force(double r) const;  ///< of all [N]
+  double force(double r) const;  ///< force of all laws [N]
   double curveEnergy(double r) const;
-  double energy(double r) const;  ///< of all [J]
+  double energy(double r) const;  ///< energy of all laws [J]
 
-  /// Returns the force of the radial stiffnesses for a displacement in this direction alone, which is subtracted [N].
+  /// Returns the force [N] to subtract: that of the radial stiffnesses for a displacement in this direction alone.
   double own(double displacement) const;
 
   /// Returns the ratio of an entry's stiffness or damping to the slope of the curve. Throws std::invalid_argument if
-  /// the entry's `values` are not proportional to that.
+  /// the entry's `values` are not proportional to the slope.
   double ratioOf(const element::ElementDescription& entry, const std::string& values) const;
 
   bool hasCurve() const { return !points_.empty(); }
   bool empty() const { return points_.empty() && stops_.empty() && stiffenings_.empty(); }
-  void appendRadii(std::vector<double>& radii) const;  ///< at which the slope changes
+  void appendRadii(std::vector<double>& radii) const;  ///< appends the radii at which the slope changes
 
  private:
   struct Point {
     double radius;
     double force;
-    double slope;   // from here on
-    double energy;  // up to here
+    double slope;   // slope beyond this radius
+    double energy;  // energy up to this radius
   };
   struct Stop {
     element::ElementPointer law;
@@ -54,32 +54,32 @@ class RadialLaw {
   std::vector<element::RadialStiffness> stiffenings_;
 };
 
-/// Two directions (cylindrical) or three (spherical) with coordinates d, r = |d|. Of these laws
-///   - spring, Maxwell element, dashpot and springpot act separately in each direction, as vectors do;
-///   - static curve, stop and radial_stiffness have the potential U = sum c_i^2 U_i(r), c = d/r, with U_i that of
-///     direction i: the radial force is the elliptic interpolation sum c_i^2 F_i(r), and due to a tangential force no
-///     work is done over closed loops; F = F(r) c if the directions have one law. The force of a radial_stiffness along
-///     one direction alone is subtracted;
-///   - a branch that is scaled along the curve follows the force F_s of the curves,
-///     dF_j/dt = (k_j/k_0) dF_s/dt - F_j/tau_j, a dashpot likewise, F_j = (c/k_0) dF_s/dt; F_s is linear in time
-///     between the radii at which the slope changes, which is exact for motion along a radius;
+/// Couples two directions (cylindrical) or three (spherical) with the coordinates d and radius r = |d|:
+///   - spring, Maxwell element, dashpot and springpot act separately in each direction, which is equal to a vector law;
+///   - static curve, stop and radial_stiffness have the potential U = sum c_i^2 U_i(r), where c = d/r and U_i is the
+///   potential of direction i. The radial force is the elliptic interpolation sum c_i^2 F_i(r), and a tangential force
+///   ensures that no work is done over closed loops. If all directions have the same law, F = F(r) c. The force of a
+///   radial_stiffness in one direction alone is subtracted;
+///   - a branch that is scaled along the curve follows the force F_s of the curves, dF_j/dt = (k_j/k_0) dF_s/dt -
+///   F_j/tau_j, and a dashpot has F_j = (c/k_0) dF_s/dt. F_s is assumed linear in time between radii at which the slope
+///   changes, which is exact for radial motion;
 ///   - each slider of a bank has a force vector, whose magnitude is limited.
-/// Any other law is refused. Source: elliptic interpolation as in the bushing of Adams Car, which has no tangential
+/// Other laws are rejected. Source: elliptic interpolation as in the bushing of Adams Car, which has no tangential
 /// force.
 class RadialCoupling {
  public:
   using Coordinates = std::array<double, kDirections>;  // [m, rad]
 
-  /// Removes the laws that are not separate in each direction from their elements. Throws std::invalid_argument that
-  /// begins with the direction.
+  /// Moves the laws that do not act separately in each direction from `elements` into the coupling. Throws
+  /// std::invalid_argument that begins with the direction.
   RadialCoupling(std::vector<Direction> directions, SixElements& elements);
 
   std::size_t memorySize() const { return 3 * sliders_.size() + branch_count_; }
 
-  /// Initialises the memory at rest at coordinates, relaxed; adds the forces.
+  /// Initialises the memory for a relaxed state at rest at the coordinates, and adds the forces.
   void initialise(const Coordinates& coordinates, double* memory, BushForce& force) const;
 
-  /// Advances over a step in which the coordinates are linear; adds the forces at its end.
+  /// Advances by a step in which the coordinates are linear, and adds the forces at its end.
   void step(double dt, const Coordinates& begin, const Coordinates& end, double* memory, BushForce& force) const;
 
  private:
@@ -109,8 +109,8 @@ class RadialCoupling {
   std::array<std::vector<Branch>, 3> branches_;
   std::size_t branch_count_ = 0;
   Eigen::Vector3d damping_ratio_ = Eigen::Vector3d::Zero();  // c/k_0 of dashpots along the curve [s]
-  bool follows_ = false;                                     // there are branches or dashpots along the curve
-  std::vector<double> radii_;                                // at which the slope of a curve changes, increasing
+  bool follows_ = false;                                     // true if branches or dashpots are scaled along the curve
+  std::vector<double> radii_;                                // radii at which the slope of a curve changes, increasing
 };
 
 }  // namespace rubber_suspension::component

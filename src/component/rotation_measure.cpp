@@ -7,8 +7,8 @@
 namespace rubber_suspension::component {
 namespace {
 
-// (1 - (a/2) cot(a/2))/a^2 by the square of a; below kSeries by its series, whose first omitted term is below a
-// relative 1e-17.
+// Returns (1 - (a/2) cot(a/2))/a^2 as a function of a^2. Below kSeries it uses the series, whose first omitted term is
+// below a relative 1e-17.
 double curvatureOf(double square, double half_angle_times_cotangent) {
   constexpr double kSeries = 0.01;
   return square < kSeries ? 1.0 / 12 + square * (1.0 / 720 + square * (1.0 / 30240 + square * (1.0 / 1209600)))
@@ -16,12 +16,12 @@ double curvatureOf(double square, double half_angle_times_cotangent) {
 }
 
 RotationCoordinates vectorOf(const Eigen::Quaterniond& rotation) {
-  // q and -q are one rotation; this sign has the angle up to 180 deg.
+  // The quaternions q and -q are the same rotation. This sign gives an angle of at most 180 deg.
   const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
   const double w = sign * rotation.w();
   const double sine = rotation.vec().norm();
   const double half_angle = std::atan2(sine, w);
-  constexpr double kSmall = 1e-8;  // of the half angle, which is its sine there
+  constexpr double kSmall = 1e-8;  // half angle below which it equals its sine
   const Eigen::Vector3d theta = sign * 2.0 * (sine < kSmall ? 1.0 / w : half_angle / sine) * rotation.vec();
   return {RotationMeasure::vector, theta, curvatureOf(theta.squaredNorm(), half_angle * w / std::max(sine, kSmall))};
 }
@@ -33,7 +33,7 @@ RotationCoordinates cardanOf(const Eigen::Matrix3d& r) {
       0.0};
 }
 
-// q' = N^-1 omega, N the columns e_x, R_x e_y and R_x R_y e_z.
+// Returns N^-1, for q' = N^-1 omega. The columns of N are e_x, R_x e_y and R_x R_y e_z.
 Eigen::Matrix3d cardanRates(const Eigen::Vector3d& angles) {
   const double sin1 = std::sin(angles.x());
   const double cos1 = std::cos(angles.x());

@@ -1,4 +1,4 @@
-// The rules for time of a stream of samples.
+// Acceptance of stamped samples.
 #include "rubber_suspension/component/sample_stream.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Acceptance StampedStream::judge(std::int64_t stamp, bool finite) const {
 void StampedStream::count(Acceptance acceptance) {
   counters_.accepted += isAccepted(acceptance) ? 1 : 0;
   if (acceptance == Acceptance::accepted) {
-    return;  // the usual case; the other branch costs a mispredicted jump
+    return;  // the usual case; another order of branches would cost a mispredicted jump
   }
   switch (acceptance) {
     case Acceptance::accepted:
@@ -81,7 +81,7 @@ void SampleStream::save() {
   step_count_ = 0;
 }
 
-// Undoes the last step; restores the saved state if there was no step since.
+// Undoes the last step. Restores the saved state if there was no step after it.
 void SampleStream::rollBack() {
   step_count_ -= step_count_ > 0 ? 1 : 0;
   state_.copyFrom(saved_);
@@ -114,8 +114,8 @@ element::ComponentForce SampleStream::advance(Acceptance acceptance, std::int64_
   return component_.step(state_, dt, displacement);
 }
 
-// A finite displacement may be too large for a law that stiffens, and must not remain in the state. Nor may a delay or
-// a filter store one whose later force would overflow.
+// A finite displacement may be too large for a stiffening law, and must then not remain in the state. A delay or a
+// filter must not store such a displacement either, because a later force would overflow.
 StreamForce SampleStream::pushAny(std::int64_t stamp, double displacement) {
   StreamForce result{judge(stamp, std::isfinite(displacement)), {}};
   if (isAccepted(result.acceptance)) {
@@ -140,9 +140,9 @@ StreamForce SampleStream::refuseForce() {
   return {Acceptance::force_not_finite, {}};
 }
 
-// Number of samples that follow the last one at equal time steps and are accepted by their stamps.
+// Returns the number of following samples that have equal time steps and are accepted by their stamps.
 std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const {
-  constexpr std::size_t kMost = 4096;     // after a run whose force is not finite, its samples are pushed again
+  constexpr std::size_t kMost = 4096;  // samples that may have to be pushed again if a force of the run is not finite
   constexpr std::size_t kTogether = 128;  // steps
   if (!started_ || judge(stamp[0], std::isfinite(displacement[0])) != Acceptance::accepted) {
     return 0;
@@ -161,7 +161,7 @@ std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displ
 
 // Returns false, without effect, if a displacement is too large or a force is not finite.
 bool SampleStream::pushRun(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force) {
-  constexpr unsigned kPower = 99;  // 2^99 is 0.63 of the largest displacement; the few above it are pushed one by one
+  constexpr unsigned kPower = 99;  // 2^99 is 0.63 of the largest displacement; larger ones are pushed one by one
   if (!kernel::allBelowTwoTo(kPower, displacement, count)) {
     return false;
   }
@@ -204,7 +204,7 @@ bool SampleStream::setTemperature(double temperature) {
     return false;
   }
   component_.setTemperature(state_, temperature);
-  save();  // the steps to repeat are those since the temperature changed
+  save();  // so that only steps after the change of temperature are repeated
   return true;
 }
 

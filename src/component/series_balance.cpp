@@ -1,4 +1,4 @@
-// Compliances and contacts in series with the test piece, and its remaining displacement.
+// Compliances and contacts in series with the test piece, and the resulting displacement.
 #include "rubber_suspension/component/series_balance.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace rubber_suspension::component {
 namespace {
 
-// Adds a compliance; an infinite one is a contact that opens beyond its preload.
+// Adds a compliance to `sum`. An infinite compliance is a contact, which opens beyond its preload.
 void addSide(double compliance, double preload, double& sum, double& opens) {
   const bool finite = std::isfinite(compliance);
   sum += finite ? compliance : 0.0;

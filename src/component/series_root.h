@@ -1,4 +1,4 @@
-// The roots of a series balance, for any test piece.
+// Roots of a series balance for any test piece.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ struct RootSample {
   double value;
 };
 
-/// Returns the root between two samples of opposite signs by the method of Anderson and Bjorck (BIT 13, 1973): secants,
-/// with a reduced value at the end that stays. Ends if the value or the bracket is at rounding.
+/// Returns the root between two samples of opposite signs by the method of Anderson and Bjorck (BIT 13, 1973), a secant
+/// method that reduces the value at a sample that stays. Ends if the value or the bracket is as small as rounding.
 template <class Function>
 double rootBetween(Function function, RootSample stays, RootSample latest) {
   constexpr double kRounding = 2.0 * std::numeric_limits<double>::epsilon();
@@ -39,9 +39,9 @@ double rootBetween(Function function, RootSample stays, RootSample latest) {
   return latest.position;
 }
 
-/// Returns the root of mismatch(z) = z + u(F(z)) - z_path next to the guess. If its slope is at least the least slope
-/// (1 unless a tangent stiffness is negative), the root is between the guess and the guess minus its mismatch over that
-/// slope; otherwise one or more steps beyond, each twice as long. NaN if there is none: the test piece is unstable.
+/// Returns the root of mismatch(z) = z + u(F(z)) - z_path nearest to the guess. If the slope of the mismatch is at
+/// least `least_slope`, the root lies between the guess and the guess minus mismatch/least_slope. Otherwise the search
+/// continues with steps that double. Returns NaN if there is no root, that is, if the test piece is unstable.
 template <class Mismatch>
 double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 1.0) {
   constexpr int kWidenings = 60;
@@ -51,7 +51,7 @@ double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 
   }
   double other = guess - at_guess / least_slope;
   double at_other = mismatch(other);
-  // Equal signs may come from rounding alone, when the mismatch is at its last bits.
+  // Equal signs may be due to rounding if the mismatch is as small as rounding.
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(guess) + std::abs(other));
   for (int i = 0; i < kWidenings && at_other * at_guess > 0.0 && std::abs(at_other) > rounding; ++i) {
     other = guess + 2.0 * (other - guess);
@@ -66,8 +66,8 @@ double solveSeriesBalance(Mismatch mismatch, double guess, double least_slope = 
   return rootBetween(mismatch, {guess, at_guess}, {other, at_other});
 }
 
-/// Returns the displacement of a test piece behind an open contact, the root of force(z): its force minus that of the
-/// contact, which has the wrong sign at `wrong`. `before`, the displacement before the step, is near the root.
+/// Returns the displacement of a test piece behind an open contact: the root of force(z), which is its force minus that
+/// of the contact and has the wrong sign at `wrong`. `before`, the displacement before the step, is near the root.
 template <class Force>
 double solveFreeLength(Force force, double wrong, double force_there, double before) {
   constexpr double kLeast = 1e-12;  // [m]

@@ -1,4 +1,4 @@
-// From the pose of two bodies to the coordinates of a bush, through its directions, and back to a wrench.
+// Converts the pose of two bodies to coordinates of a bush, computes its directions, and converts forces to a wrench.
 #include "rubber_suspension/component/six_directions.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr std::array<const char*, kDirections> kDirectionNames = {"x", "y", "z",
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// Damping [N s/m] of the dashpots that act directly on the coordinate, in real time.
+// Returns the damping [N s/m] of the dashpots that act directly on the coordinate, in real time.
 double directDamping(const std::vector<element::ElementDescription>& elements) {
   element::BasicLaws sum;
   for (const element::ElementDescription& description : elements) {
@@ -42,7 +42,7 @@ Eigen::Matrix3d crossing(const Eigen::Vector3d& v) {
   return matrix;
 }
 
-// Directions of a triple that a coupling acts on.
+// Returns the directions of a triple (translations or rotations) on which a coupling acts.
 std::vector<Direction> coupledDirections(Direction first, Coupling coupling, std::size_t axis) {
   std::vector<Direction> directions;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -122,7 +122,7 @@ SixDirections::SixDirections(SixDirectionsLaws laws)
   }
 }
 
-// Moves elements that act by the radius into a coupling; the others remain in the directions.
+// Moves elements that depend on the radius into a coupling. The other elements remain in the directions.
 void SixDirections::couple(std::vector<Direction> directions, SixElements& elements) {
   const auto given = std::count_if(directions.begin(), directions.end(),
                                    [&](Direction direction) { return !elements[direction].empty(); });
@@ -150,7 +150,7 @@ void SixDirections::addCoupling(std::vector<Direction> directions, SixElements& 
   coupled_size_ += couplings_.back()->memorySize();
 }
 
-// Couples elements by the radius of the two directions across the axis, which are rectangular otherwise.
+// Couples elements by the radius of the two directions perpendicular to the axis. Those directions are rectangular.
 void SixDirections::coupleRadial(Direction first, SixElements& elements) {
   const std::vector<Direction> across = coupledDirections(first, Coupling::cylindrical, laws_.axis);
   SixElements radial;
@@ -212,7 +212,7 @@ Eigen::Isometry3d SixDirections::pose(const SixNumbers& coordinates) const {
   return framed_ ? laws_.on_a * bush * laws_.on_b.inverse() : bush;
 }
 
-// With q' = B (v, omega) the wrench is B^T Q.
+// With the rates q' = B (v, omega) of the coordinates, the wrench is B^T Q.
 __attribute__((always_inline)) inline void SixDirections::complete(const Place& place, BushForce& force) const {
   const auto& q = force.direction;
   force.wrench.force = {q[kX].total, q[kY].total, q[kZ].total};
@@ -235,7 +235,7 @@ SixNumbers SixDirections::ratesOf(const Place& place, const Twist& twist) const 
   return rates;
 }
 
-// Force of the dashpots at rates that their step did not include.
+// Adds the forces of dashpots for the difference between rates of the twist and rates of the step.
 void SixDirections::addDamping(const SixNumbers& rates, BushForce& force) const {
   for (std::size_t i = 0; i < kDirections; ++i) {
     const double added = damping_[i] * rates[static_cast<Eigen::Index>(i)];
@@ -277,7 +277,7 @@ BushForce SixDirections::relax(SixDirectionsState& state, const Eigen::Isometry3
   return force;
 }
 
-// By value: coordinates whose address is known could not stay in registers.
+// Coordinates are passed by value, because they could not stay in registers if their address was taken.
 void SixDirections::stepCoupled(SixDirectionsState& state, double dt, Coordinates at, BushForce& force) const {
   double* memory = state.coupled_.data();
   for (const auto& coupling : couplings_) {
@@ -286,7 +286,7 @@ void SixDirections::stepCoupled(SixDirectionsState& state, double dt, Coordinate
   }
 }
 
-// Each direction is written out, so that coordinates and forces stay in registers on their way.
+// Each direction is written out, so that coordinates and forces stay in registers.
 __attribute__((always_inline)) inline BushForce SixDirections::stepInline(SixDirectionsState& state, double dt,
                                                                           const Coordinates& at) const {
   const auto step = [&](std::size_t i) __attribute__((always_inline)) {
@@ -322,7 +322,7 @@ BushForce SixDirections::step(SixDirectionsState& state, double dt, const Eigen:
   return force;
 }
 
-// B: the rates of the coordinates by the motion of B.
+// Returns the matrix B that maps the motion of body B to the rates of the coordinates.
 Eigen::Matrix<double, 6, 6> SixDirections::coordinateJacobian(const Place& place) const {
   const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
   Matrix6 jacobian;
@@ -330,7 +330,7 @@ Eigen::Matrix<double, 6, 6> SixDirections::coordinateJacobian(const Place& place
   return jacobian;
 }
 
-// Derivative of the moment rates^T Q of constant generalised moments [N m] by the coordinates.
+// Returns the derivative of the moment rates^T Q with respect to the coordinates, for constant `moments` Q [N m].
 Eigen::Matrix3d SixDirections::turningMoment(const Place& place, const Eigen::Vector3d& moments) const {
   constexpr double kDistance = 1e-5;  // [rad]; error 1e-10 of the moment
   Eigen::Matrix3d derivative;
@@ -346,7 +346,7 @@ Eigen::Matrix3d SixDirections::turningMoment(const Place& place, const Eigen::Ve
 
 SixTangent SixDirections::tangent(const SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose,
                                   SixDirectionsState& trial) const {
-  constexpr double kDistance = 1e-8;  // [m, rad], that of Component::tangent()
+  constexpr double kDistance = 1e-8;  // [m, rad], as in Component::tangent()
   const Place place = placeAt(pose);
   const Coordinates coordinates = place.coordinates();
   const auto forces = [&](const Coordinates& at) {
@@ -381,7 +381,7 @@ SixNumbers SixDirections::directionForces(const Eigen::Isometry3d& pose, const W
   const Place place = placeAt(pose);
   const Eigen::Matrix3d to_bush = laws_.on_a.linear().transpose();
   const Eigen::Matrix3d rates = place.rotation.rates();
-  // Solves rates^T Q = M by Cramer's rule.
+  // Solves rates^T Q = M for Q by Cramer's rule.
   const Eigen::Vector3d moment = to_bush * (wrench.moment - place.arm.cross(wrench.force));
   const Eigen::Vector3d first = rates.row(0);
   const Eigen::Vector3d second = rates.row(1);

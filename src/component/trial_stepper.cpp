@@ -1,4 +1,4 @@
-// A component in a simulation with trial and rejected steps.
+// A component in a simulation whose integrator makes trial steps.
 #include "rubber_suspension/component/trial_stepper.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Springs, dashpots, Maxwell elements and Berg friction in parallel: parameters, start, complex stiffness.
+// Springs, dashpots, Maxwell elements and Berg friction in parallel: parameters, initial state, complex stiffness.
 #include "rubber_suspension/kernel/basic_laws_kernel.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ BasicLawsKernel::BasicLawsKernel(const element::BasicLaws& laws)
     maxwell_rate_.push_back(maxwell.rate);
     fastest_rate_ = std::max(fastest_rate_, maxwell.rate);
   }
-  // At least one block, so that its address is valid.
+  // There is at least one block, so that its address is valid.
   const std::size_t blocks = std::max<std::size_t>(1, (maxwell_count_ + MaxwellBlock::kSize - 1) / MaxwellBlock::kSize);
   maxwell_stiffness_.resize(blocks * MaxwellBlock::kSize);
   maxwell_rate_.resize(blocks * MaxwellBlock::kSize);

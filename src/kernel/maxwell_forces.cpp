@@ -1,4 +1,4 @@
-// Coefficients of Maxwell elements that are stepped side by side.
+// Coefficients of Maxwell elements that are simulated together.
 #include "kernel/maxwell_forces.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace rubber_suspension::kernel {
 namespace {
 
-// Coefficients of the step of some elements.
+// Step coefficients of several elements, one in each lane.
 struct MaxwellLanes {
   static constexpr std::size_t kSize = 8;
   std::size_t count = 0;

@@ -1,4 +1,4 @@
-// Separate forces of Maxwell elements with the same motion, for fits.
+// Separate forces of several Maxwell elements with the same motion, for fits.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace rubber_suspension::kernel {
 
-/// Computes the force [N] of each element, which is 0 at the displacement `start`, after each step of dt [s] to the
-/// displacements [m], to the same bits as the law. A step waits for the one before it, so several interleaved elements
-/// need little more time than one.
+/// Computes the force [N] of each element after each step of dt [s] from `start` [m], where it is 0, to the
+/// displacements [m]. The results equal those of the law bit by bit. Several elements take little more time than one,
+/// because their steps are interleaved and each step has to wait for the preceding step of its element.
 void maxwellForces(const std::vector<element::BasicLaws::MaxwellNumbers>& elements, double dt, double start,
                    const double* displacement, std::size_t count, const std::vector<double*>& force);
 

@@ -2,11 +2,11 @@
 #include "processor/lanes.h"
 #include "rubber_suspension/element/maxwell_force.h"
 
-/// Steps elements side by side, from rest on, and writes the forces of each to its own samples.
+/// Simulates several elements together from rest, and writes the forces of each element to its own array.
 inline void stepSideBySide(const MaxwellLanes& elements, double start, const double* displacement, std::size_t count,
                            double* const* force) {
   constexpr std::size_t kVectors = MaxwellLanes::kSize / kWidth;
-  constexpr std::size_t kBlock = 64;  // samples that are transposed at a time
+  constexpr std::size_t kBlock = 64;  // samples that are transposed together
   double rows[kBlock][MaxwellLanes::kSize];
   Lanes decay[kVectors];
   Lanes gain[kVectors];

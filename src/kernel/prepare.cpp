@@ -1,4 +1,4 @@
-// Coefficients of dashpots and Maxwell elements for one step length.
+// Coefficients of dashpots and Maxwell elements for a step length.
 #include "rubber_suspension/element/maxwell.h"
 #include "rubber_suspension/kernel/basic_laws_kernel.h"
 
@@ -18,7 +18,7 @@ void setLarge(double ratio, double stiffness, std::size_t element, MaxwellBlock&
 }  // namespace
 
 void BasicLawsKernel::prepare(double dt, PreparedStep& prepared) const {
-  // Computes all lanes as for small steps, then replaces those with large ones.
+  // Computes all elements as for small steps, then replaces those for which the step is large.
   RUBBER_SUSPENSION_KERNEL(prepareSmall)
   (dt, maxwell_rate_.data(), maxwell_stiffness_.data(), maxwell_count_, prepared.maxwells.data());
   if (dt * fastest_rate_ > element::Relaxation::kSmall) {

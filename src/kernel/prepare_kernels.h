@@ -2,7 +2,7 @@
 #include "processor/lanes.h"
 #include "rubber_suspension/element/relaxation_mean.h"
 
-/// Computes MaxwellStep with Relaxation::small for `count` elements, of rates [1/s] and stiffnesses [N/m].
+/// Computes MaxwellStep by Relaxation::small for `count` elements with rates [1/s] and stiffnesses [N/m].
 inline void prepareSmall(double dt, const double* rate, const double* stiffness, std::size_t count,
                          MaxwellBlock* block) {
   for (std::size_t i = 0; i < count; i += kWidth) {

@@ -1,4 +1,4 @@
-// The checks, each by the instructions in use.
+// Calls the version of each check for the instructions in use.
 #include "kernel/sample_checks.h"
 
 #define RUBBER_SUSPENSION_LAYER kernel

@@ -1,8 +1,8 @@
-// Checks of many samples, for one kind of processor. See instruction_sets.h. None of them has a branch for each sample,
-// so that the loops become vector instructions.
+// Checks of many samples, for one kind of processor (see instruction_sets.h). They have no branch per sample, so that
+// the compiler can use vector instructions.
 
-// Adds a number that carries into the sign bit for biased exponents of `from` or more, such as 2047 of infinity and
-// NaN.
+// Adds a number that causes a carry into the sign bit for biased exponents of at least `from`. Infinity and NaN have
+// the biased exponent 2047.
 inline bool exponentsBelow(const double* value, std::size_t count, std::uint64_t from) {
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
   const std::uint64_t added = (2048U - from) << 52U;
@@ -23,7 +23,7 @@ inline bool increasing(const std::int64_t* stamp, std::size_t count) {
   return against == 0;
 }
 
-// The limit on the step ensures that stamps that wrap around do not increase from the first to the last one.
+// The upper limit of `step` excludes stamps that overflow between the first and the last one.
 inline bool even(const std::int64_t* stamp, std::size_t count, std::uint64_t step) {
   const std::uint64_t largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) / count;
   std::uint64_t differences = 0;

@@ -1,16 +1,16 @@
-// Many steps of equal length at once: the sums of BasicLawsKernel::step, law after law over a block of samples, so that
-// the memory of the laws stays in registers. The bits are the same as step by step.
+// Many steps of equal length at once. Each law is simulated over a block of samples, so that its memory stays in
+// registers. The forces equal those of BasicLawsKernel::step bit by bit.
 #include "rubber_suspension/kernel/basic_laws_kernel.h"
 
 namespace rubber_suspension::kernel {
 namespace {
 
-// Samples. The Maxwell elements wait for their own last forces; meanwhile the processor executes the other instructions
-// of a block, if the block is short enough.
+// Samples of a block. Each step of a Maxwell element waits for its preceding step. In the meantime the processor
+// executes other instructions of the block, if the block is short enough.
 constexpr std::size_t kSimulationBlock = 32;
 constexpr std::size_t kMostMaxwells = MaxwellBlock::kSize;
 
-// The laws, and the samples over which they are stepped.
+// The laws, and the samples over which they are simulated.
 struct LogSteps {
   const double* displacement;
   std::size_t count;

@@ -2,7 +2,7 @@
 #include "processor/lanes.h"
 #include "rubber_suspension/element/maxwell_force.h"
 
-/// Computes BergFriction::branch, with the same bits in each lane; compliance is z2/F_max.
+/// Computes BergFriction::branch in each lane, with the same result bit by bit. `compliance` is z2/F_max.
 inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_displacement,
                             const Lanes& reference_force, const Lanes& maximum_force, const Lanes& compliance) {
   constexpr double kTiny = std::numeric_limits<double>::min();
@@ -12,14 +12,14 @@ inline Lanes frictionBranch(const Lanes& displacement, const Lanes& reference_di
   return reference_force + magnitude(travel) * left / (reach + magnitude(travel));
 }
 
-// Maxwell elements side by side, each one sample behind the one before it, so that the sum of a sample moves from lane
-// to lane. Lane 0 is the last element, where the sums are complete.
+// Maxwell elements in the lanes of vectors. Each element is one sample behind the preceding element, so that the sum
+// for a sample moves from lane to lane. The last element is in lane 0, where the sums are complete.
 template <std::size_t elements>
 class MaxwellPipeline {
   static constexpr std::size_t kVectors = (elements + kWidth - 1) / kWidth;
 
  public:
-  // Steps from the input of a sample to its complete sum. Lanes without element add 0.
+  // Number of steps from the input of a sample to its complete sum. Lanes without an element add 0.
   static constexpr std::size_t kLag = elements == 0 ? 0 : kVectors * kWidth - 1;
 
   MaxwellPipeline(const MaxwellBlock& block, const double* force) {
@@ -30,8 +30,8 @@ class MaxwellPipeline {
     }
   }
 
-  // Executes a part of the steps of a run over `count` samples, which has count + kLag of them. The sums are changed in
-  // place; increments and sums need room for kLag numbers before and after them.
+  // Executes the steps [from, to) of the count + kLag steps for `count` samples. The sums are changed in place.
+  // Increments and sums need space for kLag numbers before and after the samples.
   __attribute__((always_inline)) void run(std::size_t from, std::size_t to, std::size_t count, const double* increment,
                                           double* sum) {
     std::size_t sample = from;
@@ -57,7 +57,7 @@ class MaxwellPipeline {
     return reinterpret_cast<double*>(vectors)[kLag - element];
   }
 
-  // `inside`: all elements are at one of the samples.
+  // `inside`: all elements are at samples of the run.
   template <bool inside>
   __attribute__((always_inline)) void step(std::size_t sample, std::size_t count, const double* increment,
                                            double* sum) {
@@ -70,7 +70,7 @@ class MaxwellPipeline {
     *(sum + sample - kLag) = sum_[0][0];
   }
 
-  // The lanes that are at one of the samples.
+  // Returns a mask of the lanes that are at samples of the run.
   static LaneMask isInside(std::size_t sample, std::size_t count, std::size_t k) {
     Lanes lane;
     for (std::size_t i = 0; i < kWidth; ++i) {
@@ -96,7 +96,7 @@ class MaxwellPipeline<0> {
   void save(double* /*force*/) const {}
 };
 
-// Adds the forces of friction on its present branch to a part of a block.
+// Adds the force of friction on its present branch to a part of a block.
 inline void addBranch(const element::BergFriction& berg, const double* memory, const double* displacement,
                       std::size_t count, double* force) {
   const double reference_displacement = memory[element::BergFriction::kReferenceDisplacement];
@@ -112,7 +112,7 @@ inline void addBranch(const element::BergFriction& berg, const double* memory, c
   }
 }
 
-// The samples of a block that rise, that fall, and that are NaN: a bit for each.
+// Bit masks of the samples of a block at which the displacement rises, falls, or is NaN.
 struct Directions {
   std::uint64_t rising;
   std::uint64_t falling;
@@ -145,11 +145,11 @@ inline Directions directionsOf(const double* increment) {
   return {joined(rising), joined(falling), joined(unknown)};
 }
 
-// A number for each sample of a block.
+// One number for each sample of a block.
 struct BlockNumbers {
   Lanes lanes[kSimulationBlock / kWidth];
 
-  // Sets all from a sample on.
+  // Sets the numbers of all samples from `sample` on.
   void set(double number, std::size_t sample) {
     Lanes position;
     for (std::size_t i = 0; i < kWidth; ++i) {
@@ -163,8 +163,8 @@ struct BlockNumbers {
   }
 };
 
-// Friction without dead band that has moved before: it reverses where the sign of the increments changes, so that the
-// reference points of a whole block are known before any of its forces.
+// Adds friction without dead band that has moved before. It reverses where the sign of the increments changes, so that
+// the reversals of a whole block are known before its forces are computed.
 inline void addFrictionOfBlock(const element::BergFriction& berg, const double* displacement,
                                const Directions& directions, double* memory, double* force) {
   BlockNumbers reference_displacement;
@@ -224,12 +224,12 @@ inline void addFriction(const LogSteps& steps, std::size_t first, std::size_t co
   }
 }
 
-// Some samples in the pipeline: their increments, and the sums of the forces of dashpots and Maxwell elements.
+// Several samples in the pipeline: their increments, and the summed forces of dashpots and Maxwell elements.
 class Portion {
  public:
   static constexpr std::size_t kSize = 16 * kSimulationBlock;
 
-  // Continues with the samples from `first` on; there are none after the end.
+  // Continues with the samples from `first` on. After the end there are none.
   void start(const LogSteps& steps, std::size_t first) {
     first_ = first;
     count_ = first >= steps.count ? 0 : steps.count - first < kSize ? steps.count - first : kSize;
@@ -237,7 +237,7 @@ class Portion {
     std::memset(sum_ + kRoom + count_, 0, kRoom * sizeof(double));
   }
 
-  // Computes increments and dashpots of a block.
+  // Computes the increments and the dashpot forces of a block.
   void prepare(const LogSteps& steps, std::size_t from) {
     if (from + kSimulationBlock <= count_) {
       prepare(steps, from, kSimulationBlock);
@@ -246,7 +246,7 @@ class Portion {
     }
   }
 
-  // Steps Maxwell elements over a block, or over all samples, and at the end over their lag as well.
+  // Advances Maxwell elements over a block, over all samples, or at the end over all samples and their lag.
   template <std::size_t elements>
   __attribute__((always_inline)) void advance(std::size_t from, std::size_t count,
                                               MaxwellPipeline<elements>& maxwells) {
@@ -256,7 +256,7 @@ class Portion {
     }
   }
 
-  // Adds friction and springs of a block.
+  // Adds the forces of friction and springs of a block.
   void finish(const LogSteps& steps, std::size_t from) const {
     if (from + kSimulationBlock <= count_) {
       finish(steps, from, kSimulationBlock);
@@ -266,7 +266,7 @@ class Portion {
   }
 
  private:
-  static constexpr std::size_t kRoom = kMostMaxwells;  // for the lag
+  static constexpr std::size_t kRoom = kMostMaxwells;  // space for the lag
 
   __attribute__((always_inline)) void prepare(const LogSteps& steps, std::size_t from, std::size_t count) {
     const double* displacement = steps.displacement + first_ + from;
@@ -303,9 +303,9 @@ class Portion {
   double sum_[kRoom + kSize + kRoom];
 };
 
-// The `last` Maxwell elements, eight at most, keep their forces in registers throughout; those before them are loaded
-// and saved with each portion. Each of their steps waits eight cycles for the one before it. Meanwhile the processor
-// prepares the next portion and finishes the one before, block by block, since it does not look further ahead.
+// The `last` Maxwell elements, at most eight, keep their forces in registers; those before them load and save theirs
+// with each portion. Each step of an element waits eight cycles for its preceding step. Meanwhile the processor
+// prepares a block of the next portion and finishes a block of the preceding one; it looks no further ahead.
 template <std::size_t last>
 inline void simulateWith(const LogSteps& steps) {
   const std::size_t before = steps.maxwells - last;

@@ -1,4 +1,4 @@
-// Several laws of stress softening at once.
+// Several laws of stress softening, computed together.
 #include "kernel/softening_bank.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Laws of stress softening that act one after the other, several at once in the lanes of the processor.
+// Several laws of stress softening that act in series, computed together in vector lanes.
 #pragma once
 
 #include <array>
@@ -10,30 +10,30 @@
 
 namespace rubber_suspension::kernel {
 
-/// Numbers of laws side by side; 0 in unused lanes.
+/// Parameters of several laws, one law in each lane; 0 in unused lanes. R, w, S, S_f, L and T are those of the law.
 struct SofteningBlock {
   static constexpr std::size_t kSize = 8;
   using Numbers = std::array<double, kSize>;
 
   Numbers reduction{};                               ///< R/tanh(1/w) [-]
   Numbers steepness{};                               ///< 2/w [-]
-  Numbers by_ratio{}, by_square{};                   ///< factors of the powers of |z|/S: one of them is 1
-  Numbers evenly{}, by_reach{}, by_reach_squared{};  ///< factors of the powers of S/S_f: one of them is 1
+  Numbers by_ratio{}, by_square{};                   ///< factors of the powers of |z|/S, one of which is 1
+  Numbers evenly{}, by_reach{}, by_reach_squared{};  ///< factors of the powers of S/S_f, one of which is 1
   Numbers inverse_full_reach{};                      ///< 1/S_f [1/m]
   Numbers side{};                                    ///< -1, 0, 1
   Numbers inverse_path{};                            ///< 1/L [1/m]
   Numbers recovery_rate{};                           ///< 1/T [1/s]
-  bool recovers = false;                             ///< any of them recovers
+  bool recovers = false;                             ///< true if any of the laws recovers
 };
 
-/// Product of the factors of several laws, which differs from that of the single laws by rounding only. Memory: that of
-/// the laws, one after the other.
+/// Product of the factors of several laws. It equals that of the single laws up to rounding. The memory contains the
+/// memories of all laws in order.
 class SofteningBank final : public element::ForceEffect {
  public:
-  /// Returns true if the bank supports a law with all parameters given: its powers need no std::pow.
+  /// Returns true if the bank supports a law with complete parameters, whose powers then need no std::pow.
   static bool takes(const element::ElementDescription& law);
 
-  /// Adds a law, which `description` describes.
+  /// Adds a law. `description`: its parameters.
   void add(const element::ElementDescription& description, std::shared_ptr<const element::ForceEffect> law);
 
   std::size_t memorySize() const override { return kSlots * laws_.size(); }
@@ -43,7 +43,7 @@ class SofteningBank final : public element::ForceEffect {
   double step(const element::Motion& motion, const element::ComponentForce& force, double* memory) const override;
 
  private:
-  static constexpr std::size_t kSlots = 2;  // of each law: M, S
+  static constexpr std::size_t kSlots = 2;  // memory of each law: M, S
 
   std::vector<std::shared_ptr<const element::ForceEffect>> laws_;
   std::vector<SofteningBlock> blocks_;

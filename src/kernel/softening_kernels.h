@@ -5,11 +5,11 @@
 inline Lanes larger(const Lanes& one, const Lanes& other) { return select(one > other, one, other); }
 inline Lanes smaller(const Lanes& one, const Lanes& other) { return select(one < other, one, other); }
 
-/// Returns exp(-x) for x >= 0, to a relative 1e-15: x is reduced by multiples of ln 2, and the remainder is halved and
-/// its result squared.
+/// Returns exp(-x) for x >= 0 with a relative error of 1e-15. A multiple of ln 2 is subtracted from x; the exponential
+/// of half the remainder is computed and squared.
 inline Lanes fallen(const Lanes& x) {
-  constexpr double kMost = 700.0;          // beyond, the result is negligible
-  constexpr double kToInteger = 0x1.8p52;  // its last bits count whole numbers
+  constexpr double kMost = 700.0;          // for larger x the result is negligible
+  constexpr double kToInteger = 0x1.8p52;  // its last bits count integers
   constexpr double kHighLn2 = 6.93147180369123816490e-01;
   constexpr double kLowLn2 = 1.90821492927058770002e-10;
   const Lanes at = smaller(x, spread(kMost));
@@ -27,7 +27,7 @@ inline Lanes recovered(const Lanes& reach, const Lanes& reached, const Lanes& ra
   return select(rate > 0.0, left, reach);
 }
 
-/// Returns the factors of laws in lanes from `lane` on after a step; `largest` and `reach` are their memories.
+/// Returns the factors after a step of the laws in the lanes from `lane` on. `largest` and `reach` are their memories.
 inline Lanes softened(const SofteningBlock& laws, std::size_t lane, double dt, double displacement, double increment,
                       double* largest, double* reach) {
   const Lanes side = load(laws.side.data() + lane);
@@ -37,7 +37,7 @@ inline Lanes softened(const SofteningBlock& laws, std::size_t lane, double dt, d
   Lanes soft = load(reach + lane);
   if (laws.recovers) {
     const Lanes rate = load(laws.recovery_rate.data() + lane);
-    const Lanes kept = 1.0 - (1.0 - fallen(dt * rate));  // 0 where that of the single laws is 0
+    const Lanes kept = 1.0 - (1.0 - fallen(dt * rate));  // 0 where the single laws have 0
     most = recovered(most, reached, rate, kept);
     soft = recovered(soft, reached, rate, kept);
   }
@@ -60,7 +60,7 @@ inline Lanes softened(const SofteningBlock& laws, std::size_t lane, double dt, d
   return select(aside < soft, 1.0 - reduction * (1.0 - rest) / (1.0 + rest), spread(1.0));
 }
 
-/// Returns the product of their factors, in the same order on each processor. Memory: M, S of each law.
+/// Returns the product of the factors, multiplied in the same order on each processor. `memory`: M and S of each law.
 inline double softenedProduct(const SofteningBlock* blocks, std::size_t laws, double dt, double displacement,
                               double increment, double* memory) {
   constexpr std::size_t kSize = SofteningBlock::kSize;

@@ -1,4 +1,4 @@
-// A component: parallel elements, effects between actuator and test piece, and factors on the test piece's force.
+// A component: elements in parallel, effects between actuator and test piece, and factors on the test piece's force.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace rubber_suspension::component {
 
-/// Memory of a component between two samples. Copy it to save it or to try a step. The data of a step are on few cache
-/// lines.
+/// Memory of a component between two samples. Copy it to save it or to try a step. The data that a step needs are on
+/// few cache lines.
 class alignas(kernel::kCacheLine) ComponentState {
  public:
   double displacement() const { return displacement_; }  ///< at the last sample [m]
@@ -25,11 +25,11 @@ class alignas(kernel::kCacheLine) ComponentState {
   bool isFinite() const {
     return std::all_of(memory_.begin(), memory_.end(), [](double number) { return std::isfinite(number); });
   }
-  /// Saves the memory into a list that is reused, so that saving allocates nothing.
+  /// Saves the memory to a list. A list that is reused needs no allocation.
   void saveMemory(std::vector<double>& numbers) const { numbers.assign(memory_.begin(), memory_.end()); }
 
-  /// Copies the memory of another state of the same component, but not its coefficients of the step length; faster than
-  /// copying all.
+  /// Copies the memory of another state of the same component, but not the coefficients for its step length. This is
+  /// faster than a full copy.
   void copyFrom(const ComponentState& other) {
     displacement_ = other.displacement_;
     prepared_.branch = other.prepared_.branch;
@@ -39,68 +39,68 @@ class alignas(kernel::kCacheLine) ComponentState {
  private:
   friend class Component;
 
-  // Working space while a series balance is solved.
+  // Working space for the solution of a series balance.
   struct Trial {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-    std::vector<double> memory;     // of the test piece, which trial steps advance
-    double slope_step = kNone;      // [s], of `slope`
-    element::ComponentForce slope;  // force that a step of the linear elements adds for each metre
-    double displacement = kNone;    // at the end of the last trial step [m]
-    element::ComponentForce force;  // there
+    std::vector<double> memory;     // memory of the test piece, which trial steps advance
+    double slope_step = kNone;      // step length [s] for which `slope` is valid
+    element::ComponentForce slope;  // force of the linear elements per metre of a step
+    double displacement = kNone;    // displacement at the end of the last trial step [m]
+    element::ComponentForce force;  // force at the end of the last trial step
   };
 
   double displacement_ = 0.0;
-  bool kernel_alone_ = false;      // as in the component
-  kernel::PreparedStep prepared_;  // derived, not saved; a branch only if the component is the kernel alone
-  // Memory of all elements, block after block; inline for most components, on cache lines next to the coefficients.
+  bool kernel_alone_ = false;      // the same as in the component
+  kernel::PreparedStep prepared_;  // derived and not saved; has a branch only for a component of the kernel alone
+  // Memory of all elements, one after the other; mostly inline, on cache lines next to the coefficients.
   boost::container::small_vector<double, 16> memory_;
   Trial trial_;  // not saved
 };
 
-/// Linearisation of one step about its end, for an implicit integrator: dF/dz at the end of the step is
-/// stiffness + damping/dt.
+/// Linearisation of one step about its end, for implicit integrators: dF/dz at the end of the step is stiffness +
+/// damping/dt.
 struct Tangent {
-  double stiffness;  ///< derivative of the elastic and friction parts by the displacement at the end of the step [N/m]
-  double damping;    ///< dt times that of the viscous part [N s/m]
+  double stiffness;  ///< derivative of elastic and friction force with respect to the displacement at its end [N/m]
+  double damping;    ///< dt times the derivative of the viscous force [N s/m]
 };
 
-/// Displacement z -> force F:
-///   1. displacement path: delay, then free play, then what is in series (compliance, contacts that open), give the
-///      displacement of the test piece;
-///   2. test piece: F = sum of F_i over the elements in parallel;
+/// Computes the force F from the displacement z:
+///   1. displacement path: a delay, then free play, then elements in series (compliances, contacts that open) determine
+///   the displacement of the test piece;
+///   2. test piece: F is the sum of the forces F_i of all elements in parallel;
 ///   3. softening and heating scale this force;
-///   4. parts of the rig (inertia, offset, drift) follow z itself and add to F.
-/// If the component has a shift with temperature, the elements of the test piece run on the reduced time dt/a_T and
-/// their sum is multiplied by b_T, before softening and heating. Without a temperature a_T = b_T = 1.
+///   4. parts of the rig (inertia, offset, drift) depend on z itself, and their forces are added.
+/// A component may have a shift with temperature. The elements of the test piece are then computed with the reduced
+/// time dt/a_T, and their sum is multiplied by b_T before step 3. Without a temperature a_T = b_T = 1.
 ///
-/// The order of the path does not depend on that of the entries. A delay is that of a sensor, so it comes first and all
-/// else has the displacement at the time of the force. Free play comes before the compliance: it is specified, and
-/// visible in a log, as a range of displacement that moves nothing, whatever the force of the test piece. The two
-/// commute if the test piece has no force at zero displacement, but not if friction or relaxation leave a force there.
+/// The order of the displacement path does not depend on the order of the entries. A delay belongs to a sensor, so it
+/// comes first, and everything else uses the displacement at the time of the force. Free play comes before the
+/// compliance, because it is specified, and visible in a log, as a range of displacement that moves nothing. The order
+/// matters only if the test piece has a force at zero displacement, due to friction or relaxation.
 ///
-/// Parameters are fixed at construction; all history is in ComponentState, so one component may serve several threads.
+/// Parameters are fixed at construction. All history is in ComponentState, so several threads may share a component.
 class Component {
  public:
-  /// Throws std::invalid_argument that names entry, parameter, value and what is accepted.
+  /// Throws std::invalid_argument that states entry, parameter, value and what is accepted.
   explicit Component(const std::vector<element::ElementDescription>& elements);
 
   /// Returns a state of the right size, at rest at zero displacement.
   ComponentState makeState() const;
 
   /// Restores a state from its displacement() [m] and memory(). Throws std::invalid_argument, without changing the
-  /// state, for a wrong size, numbers that are not finite, and those that no element can have written.
+  /// state, for a wrong size and for numbers that are not finite or that no element can have saved.
   void restore(ComponentState& state, double displacement, const std::vector<double>& memory) const;
 
   /// Initialises the component at rest at a displacement [m], fully relaxed and never loaded before.
   element::ComponentForce initialise(ComponentState& state, double displacement) const;
 
-  /// Relaxes and cools the component by a long rest at a displacement [m]; permanent changes (stress softening) remain.
+  /// Relaxes and cools the component by a long rest at a displacement [m]. Permanent changes (stress softening) remain.
   element::ComponentForce relax(ComponentState& state, double displacement) const;
 
-  /// Advances by dt > 0 [s] to a displacement [m], linear in between. Allocates nothing. The force is NaN, from there
-  /// on, if the test piece becomes unstable behind a series compliance: if its tangent stiffness (of an
-  /// asymmetric_stiffness, say) is more negative than the compliance can balance.
+  /// Advances by dt > 0 [s] to a displacement [m], with linear motion in between. Allocates nothing. All further forces
+  /// are NaN once the test piece becomes unstable behind a series compliance, that is, if its tangent stiffness (for
+  /// example of an asymmetric_stiffness) is more negative than the compliance can balance.
   __attribute__((always_inline)) element::ComponentForce step(ComponentState& state, double dt,
                                                               double displacement) const {
     if (!state.kernel_alone_) {
@@ -120,50 +120,50 @@ class Component {
   /// Returns the temperatures [degC] at which its shifts are valid.
   const element::Range& temperatures() const { return temperatures_; }
 
-  /// Sets the temperature [degC] of the following steps and computes the factors; the memory does not change. Without
-  /// effect if the temperature is the same or the component has no shift. Throws std::invalid_argument outside of
+  /// Sets the temperature [degC] of the following steps and computes the factors, without changing the memory. Does
+  /// nothing if the temperature is unchanged or the component has no shift. Throws std::invalid_argument outside of
   /// temperatures(); otherwise allocates nothing.
   void setTemperature(ComponentState& state, double temperature) const;
 
-  /// Resets to a_T = b_T = 1, as in makeState().
+  /// Resets the factors to a_T = b_T = 1, as in makeState().
   void forgetTemperature(ComponentState& state) const;
 
-  /// Simulates steps of dt [s] to `count` displacements [m] and writes the total forces [N] to `force`: the same bits
-  /// as step(), several times as fast. Allocates nothing.
+  /// Simulates steps of dt [s] to `count` displacements [m] and writes the total forces [N] to `force`. They equal
+  /// those of step() bit by bit, and are computed several times as fast. Allocates nothing.
   void simulate(ComponentState& state, double dt, const double* displacement, std::size_t count, double* force) const;
 
-  /// Simulates with the temperature [degC] of each step.
+  /// Simulates as above, with a temperature [degC] for each step.
   void simulate(ComponentState& state, double dt, const double* displacement, const double* temperature,
                 std::size_t count, double* force) const;
 
   /// Linearises the step of dt [s] from `state` to a displacement [m] about its end, by central differences of two
-  /// trial steps 10 nm to either side (relative error about 1e-7 for friction that reverses within 0.1 mm, 1e-9 for
-  /// linear laws). At a reversal, where friction has two slopes, it is their mean. `trial` is working space from
-  /// makeState(). Does not change `state` and allocates nothing.
+  /// trial steps that differ by 10 nm in either direction. The relative error is about 1e-7 for friction that reverses
+  /// within 0.1 mm, and 1e-9 for linear laws. At a reversal, where friction has two slopes, the result is their mean.
+  /// `trial` is working space from makeState(). Does not change `state` and allocates nothing.
   Tangent tangent(const ComponentState& state, double dt, double displacement, ComponentState& trial) const;
 
-  /// Returns true if all elements are linear, so that complexStiffness has a value.
+  /// Returns true if all elements are linear, so that complexStiffness() returns a value.
   bool linear() const;
 
-  /// Returns K*, the dynamic stiffness [N/m] at a frequency [Hz]; nullopt if an element is nonlinear.
+  /// Returns the complex stiffness K* [N/m] at a frequency [Hz]; nullopt if an element is nonlinear.
   std::optional<std::complex<double>> complexStiffness(double frequency) const {
     return complexStiffnessShifted(frequency, {});
   }
 
-  /// Returns K* at a frequency [Hz] and a temperature [degC]: that of the test piece is b_T K*(a_T omega). Throws as
-  /// setTemperature() does.
+  /// Returns K* at a frequency [Hz] and a temperature [degC]; the test piece contributes b_T K*(a_T omega). Throws like
+  /// setTemperature().
   std::optional<std::complex<double>> complexStiffness(double frequency, double temperature) const {
     return complexStiffnessShifted(frequency, shiftAt(temperature));
   }
 
-  /// Returns the entries of which the component was made, with defaults.
+  /// Returns the entries from which the component was constructed, with defaults.
   const std::vector<element::ElementDescription>& elements() const { return descriptions_; }
 
  private:
   template <class Law>
   struct Placed {
     std::shared_ptr<const Law> law;
-    std::size_t offset;  // of its memory in the state
+    std::size_t offset;  // index of its memory in the state
   };
   enum class Start { as_new, relaxed };
   enum TemperatureSlot { kTemperature, kRate /* 1/a_T */, kForce /* b_T */, kTemperatureSlots };
@@ -195,7 +195,7 @@ class Component {
   void stepElements(const kernel::PreparedStep& prepared, const element::Motion* motion, Count count, double* memory,
                     element::ComponentForce* force) const;
   element::Shift shiftAt(double temperature) const;
-  /// Returns the step of the elements in reduced time [s] for a step of dt [s].
+  /// Returns the step in reduced time [s], which the elements use, for a step of dt [s].
   double reducedStep(double dt, const double* memory) const {
     return shifts_.empty() ? dt : dt * memory[temperature_slot_ + kRate];
   }
@@ -204,7 +204,7 @@ class Component {
 
   std::vector<element::ElementDescription> descriptions_;
 
-  // The displacement path, whose two displacements are in the memory.
+  // The displacement path. The memory contains the displacements behind its effects and of the test piece.
   std::vector<Placed<element::DisplacementEffect>> displacement_effects_;
   SeriesBalance series_;
   std::size_t behind_effects_slot_ = 0;
@@ -212,19 +212,19 @@ class Component {
 
   // The test piece.
   kernel::BasicLawsKernel kernel_;                           // all laws of most components
-  std::vector<Placed<element::ParallelElement>> elements_;   // all others, the linear ones first
-  std::ptrdiff_t linear_count_ = 0;                          // of the linear ones
-  std::vector<Placed<element::ForceEffect>> force_effects_;  // which scale the sum of both
+  std::vector<Placed<element::ParallelElement>> elements_;   // all other laws, with the linear ones first
+  std::ptrdiff_t linear_count_ = 0;                          // number of linear laws
+  std::vector<Placed<element::ForceEffect>> force_effects_;  // scale the sum of kernel_ and elements_
 
   std::vector<Placed<element::ParallelElement>> rig_;
 
   std::vector<std::shared_ptr<const element::TemperatureShift>> shifts_;
-  element::Range temperatures_;  // at which all of them are valid
+  element::Range temperatures_;  // at which all shifts are valid
   std::size_t temperature_slot_ = 0;
 
-  bool kernel_alone_ = true;  // nothing but the kernel
-  // Order of the memory: kernel, other elements, force effects, temperature with its factors, which is all that a trial
-  // step of the series balance needs; then displacement effects, rig, and the two displacements.
+  bool kernel_alone_ = true;  // true if the component consists of the kernel alone
+  // Order of the memory: kernel, other elements, force effects, and temperature with its factors, which are all that a
+  // trial step of the series balance needs; then displacement effects, rig, and the two displacements.
   std::size_t memory_size_ = 0;
   std::size_t trial_size_ = 0;
 };

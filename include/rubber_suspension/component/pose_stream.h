@@ -1,4 +1,4 @@
-// The rules for time of poses, in node and replay alike.
+// Acceptance of stamped poses, with the same rules in node and replay.
 #pragma once
 
 #include "rubber_suspension/component/sample_stream.h"
@@ -8,28 +8,28 @@ namespace rubber_suspension::component {
 
 struct StreamWrench {
   Acceptance acceptance;
-  BushForce force;            ///< of an accepted sample only
-  SixNumbers coordinates;     ///< likewise [m, rad]
-  bool beyond_valid = false;  ///< accepted, and the rotation is beyond the stated validity
+  BushForce force;            ///< only for an accepted sample
+  SixNumbers coordinates;     ///< only for an accepted sample [m, rad]
+  bool beyond_valid = false;  ///< true if the sample is accepted, and its rotation is beyond the stated validity
 };
 
-/// Feeds a component of six directions with stamped poses, as SampleStream does a component of one direction.
+/// Feeds stamped poses to a component of six directions, as SampleStream does for a component of one direction.
 class PoseStream : public StampedStream {
  public:
   /// Largest deviation of the length of a quaternion from 1.
   static constexpr double kQuaternionTolerance = 1e-3;
 
-  /// The component must outlive the stream. max_gap in [s].
+  /// The component has to outlive the stream. `max_gap` [s]: longest time gap that counts as an ordinary step.
   explicit PoseStream(const SixDirections& component, double max_gap = 0.5);
 
-  /// Processes a pose of B in A: stamp [ns], position [m], rotation. At the first one after construction or reset() the
-  /// component is at rest. A dropped sample does not change the state. Allocates nothing.
+  /// Processes a pose of body B in body A: stamp [ns], position [m], rotation. The first pose after construction or
+  /// reset() finds the component at rest. A dropped sample does not change the state. Allocates nothing.
   StreamWrench push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation);
 
-  /// Sets the temperature [degC] as SampleStream::setTemperature() does.
+  /// Sets the temperature [degC] like SampleStream::setTemperature().
   bool setTemperature(double temperature);
 
-  /// Resets to a new test piece at rest, with the same temperature and counters; the next sample starts again.
+  /// Resets to a new test piece at rest at the next sample. Temperature and counters are kept.
   void reset();
 
   const SixDirectionsState& state() const { return state_; }
@@ -37,8 +37,8 @@ class PoseStream : public StampedStream {
   /// Returns the number of accepted samples beyond the stated validity.
   std::uint64_t beyondValid() const { return beyond_valid_; }
 
-  /// Continues where another stream of the same component stopped, with numbers() of its state. Throws as
-  /// SixDirections::restore() does.
+  /// Continues where another stream of the same component stopped, from numbers() of its state. Throws like
+  /// SixDirections::restore().
   void deserialise(std::int64_t last_stamp, const std::vector<double>& numbers);
 
  private:
@@ -50,7 +50,7 @@ class PoseStream : public StampedStream {
   std::uint64_t beyond_valid_ = 0;
 };
 
-/// Returns a pose from the numbers of topics and logs, with the quaternion normalised.
+/// Returns the pose for the numbers of topics and logs. The quaternion is normalised.
 Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation);
 
 }  // namespace rubber_suspension::component

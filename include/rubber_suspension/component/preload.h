@@ -1,4 +1,4 @@
-// Preloads of a component of six directions, and tables by which one scales the forces of another. Throws nothing.
+// Preloads of a component of six directions, and tables by which a preload scales forces. No function here throws.
 #pragma once
 
 #include <vector>
@@ -7,25 +7,25 @@
 
 namespace rubber_suspension::component {
 
-/// Static load of a direction: the working point of its specification and of tables over a preload.
+/// Static load of a direction: the working point of its specification, and of tables as a function of preload.
 struct Preload {
-  bool is_force = true;  ///< else a displacement
+  bool is_force = true;  ///< a displacement if false
   double value = 0.0;    ///< [N, N m], or [m, rad]
 };
 
 /// A table by which the preload of one direction scales the forces of another. It is evaluated once, at the configured
-/// preload, because a factor that followed the motion would do work over closed loops.
+/// preload, because a factor that followed the motion would make forces do work over closed loops.
 struct PreloadTable {
-  Direction direction = kX;      ///< that is scaled
-  Direction by = kZ;             ///< whose preload scales it
+  Direction direction = kX;      ///< direction whose forces are scaled
+  Direction by = kZ;             ///< direction whose preload determines the factor
   std::vector<Preload> preload;  ///< points, increasing
-  std::vector<double> factor;    ///< at the points; linear between, constant beyond
+  std::vector<double> factor;    ///< factor at each point; linear between points, constant beyond them
 
-  /// Returns the factor at a preload of the kind of its points [N, N m, m, rad].
+  /// Returns the factor for a preload [N, N m, m, rad] of the same kind as the points.
   double factorAt(double value) const;
 };
 
-/// Multiplies all forces of elements by a factor, through the parameters in which they are linear.
+/// Multiplies all forces of elements by a factor, by means of the parameters in which the forces are linear.
 void scaleForces(std::vector<element::ElementDescription>& elements, double factor);
 
 }  // namespace rubber_suspension::component

@@ -1,5 +1,5 @@
-// A rotation as three coordinates with conjugate moments: the rotation vector, or body-fixed x-y-z angles.
-// Throws nothing.
+// A rotation as three coordinates with conjugate moments: either the rotation vector, or body-fixed x-y-z angles. No
+// function here throws.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,23 +8,22 @@
 
 namespace rubber_suspension::component {
 
-/// The three coordinates q [rad] by which a component measures the rotation R of B in A. Generalised moments Q belong
-/// to a moment M by M . omega = Q . q', omega being that of B against A in A's axes, so that forces with a potential in
-/// q do no work over a closed path.
+/// The three coordinates q [rad] by which a component measures the rotation R of body B in body A. A moment M and the
+/// generalised moments Q satisfy M . omega = Q . q', where omega is the angular velocity of B relative to A in A's
+/// axes. So forces with a potential in q do no work over a closed path.
 enum class RotationMeasure {
-  vector,  ///< theta = log R; M = J(theta)^-T Q, J the left Jacobian; below kVectorEnd
+  vector,  ///< q = theta = log R; M = J(theta)^-T Q with the left Jacobian J; |theta| below kVectorEnd
   cardan,  ///< R = R_x(q_1) R_y(q_2) R_z(q_3); M = N^-T Q with omega = N q'; |q_2| below kCardanEnd
 };
 
-/// Ends of the measures [rad]: beyond them, coordinates jump from one sample to the next, or their rates grow without
-/// limit.
-constexpr double kVectorEnd = 179.0 * element::kPi / 180.0;  // of the angle, and of the cardan angles about x and z
-constexpr double kCardanEnd = 85.0 * element::kPi / 180.0;   // of the cardan angle about y
+/// Limits of the coordinates [rad]. Beyond them coordinates jump between samples, or their rates grow without bound.
+constexpr double kVectorEnd = 179.0 * element::kPi / 180.0;  // length of the vector; angles about x and z
+constexpr double kCardanEnd = 85.0 * element::kPi / 180.0;   // cardan angle about y
 
-/// Returns B at coordinates [rad], for their rates by the angular velocity, q' = B omega, and for M = B^T Q.
+/// Returns the matrix B at coordinates q [rad], which gives the rates q' = B omega and the moment M = B^T Q.
 Eigen::Matrix3d ratesAt(RotationMeasure measure, const Eigen::Vector3d& value);
 
-/// Coordinates of a rotation, with all that converts generalised moments to a moment.
+/// Coordinates of a rotation, with all data for the conversion of generalised moments to a moment.
 struct RotationCoordinates {
   RotationMeasure measure;
   Eigen::Vector3d value;  ///< q [rad]
@@ -42,11 +41,11 @@ struct RotationCoordinates {
   }
 };
 
-/// Returns the coordinates of a rotation; the quaternion has to have length 1.
+/// Returns the coordinates of a rotation, whose quaternion has to have length 1.
 RotationCoordinates coordinatesOf(RotationMeasure measure, const Eigen::Quaterniond& rotation);
 
-/// Series of a/sin a and of the curvature above, side by side, for rotations by an angle a up to 20.7 deg, t = sin^2 a
-/// <= kMost. The polynomials interpolate at ten Chebyshev points, with an error below 1e-16 of either.
+/// Series of a/sin a and of the curvature above, in one vector, for angles a up to 20.7 deg, with t = sin^2 a <= kMost.
+/// The polynomials interpolate at ten Chebyshev points; the error of either is below 1e-16.
 struct RotationSeries {
   using Pair = double __attribute__((vector_size(2 * sizeof(double))));
   static constexpr double kMost = 0.125;
@@ -68,7 +67,7 @@ struct RotationSeries {
   }
 };
 
-/// Returns the coordinates of a rotation matrix; inlined for rotation vectors of up to 20 deg.
+/// Returns the coordinates of a rotation matrix. Code for rotation vectors up to 20 deg is inlined.
 template <class Matrix>
 __attribute__((always_inline)) inline RotationCoordinates coordinatesOf(RotationMeasure measure,
                                                                         const Eigen::MatrixBase<Matrix>& r) {
@@ -82,13 +81,13 @@ __attribute__((always_inline)) inline RotationCoordinates coordinatesOf(Rotation
   return {measure, series[0] * sine, series[1]};
 }
 
-/// Returns the rotation that has these coordinates [rad].
+/// Returns the rotation with these coordinates [rad].
 Eigen::Quaterniond rotationOf(RotationMeasure measure, const Eigen::Vector3d& value);
 
-/// Returns true for coordinates [rad] before the end of the measure.
+/// Returns true if the coordinates [rad] are within the limits of the measure.
 bool measureHolds(RotationMeasure measure, const Eigen::Vector3d& value);
 
-/// Returns the size of a rotation in its measure [rad]: the length of the vector, or the largest of the angles.
+/// Returns the size of a rotation in its measure [rad]: the length of the vector, or the largest angle.
 double sizeOf(RotationMeasure measure, const Eigen::Vector3d& value);
 
 }  // namespace rubber_suspension::component

@@ -1,4 +1,4 @@
-// The rules for time: which samples of a stream are accepted, in node and replay alike.
+// Acceptance of the samples of a stream by their stamps, with the same rules in node and replay.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@ namespace rubber_suspension::component {
 /// Treatment of a sample.
 enum class Acceptance {
   accepted,
-  restarted,     ///< accepted after a jump back of more than a second: a new replay, the component was reset
-  bridged,       ///< accepted after a time gap longer than max_gap, bridged exactly with displacement linear in between
-  not_finite,    ///< dropped: the displacement is not finite
-  repeated,      ///< dropped: same stamp as the sample before
-  stepped_back,  ///< dropped: a stamp before that of the sample before, by a second at most
-  force_not_finite,  ///< dropped: the displacement is so large that its force is not finite
-  not_a_rotation,    ///< dropped: a quaternion whose length is not 1
-  beyond_measure,    ///< dropped: a rotation beyond the end of its measure
+  restarted,         ///< accepted after a jump back by more than a second, as of a new replay; the component was reset
+  bridged,           ///< accepted after a time gap longer than max_gap, over which the displacement is assumed linear
+  not_finite,        ///< dropped: the displacement is not finite
+  repeated,          ///< dropped: the stamp equals the preceding stamp
+  stepped_back,      ///< dropped: the stamp is before the preceding stamp, by a second at most
+  force_not_finite,  ///< dropped: the displacement is so large that the force is not finite
+  not_a_rotation,    ///< dropped: the length of the quaternion is not 1
+  beyond_measure,    ///< dropped: the rotation is beyond the limits of its measure
 };
 
 inline bool isAccepted(Acceptance acceptance) { return acceptance <= Acceptance::bridged; }
@@ -43,10 +43,10 @@ struct StreamCounters {
 
 struct StreamForce {
   Acceptance acceptance;
-  element::ComponentForce force;  ///< of an accepted sample only
+  element::ComponentForce force;  ///< only for an accepted sample
 };
 
-/// Accepts or drops samples by their stamps, and counts them; common to all streams.
+/// Base class of all streams: accepts or drops samples by their stamps, and counts them.
 class StampedStream {
  public:
   static constexpr std::int64_t kNanosecondsPerSecond = 1000000000;
@@ -54,7 +54,7 @@ class StampedStream {
 
   const StreamCounters& counters() const { return counters_; }
   bool started() const { return started_; }
-  std::int64_t lastStamp() const { return last_stamp_; }  ///< [ns], of the last accepted sample
+  std::int64_t lastStamp() const { return last_stamp_; }  ///< stamp of the last accepted sample [ns]
 
  protected:
   explicit StampedStream(double max_gap /* [s] */);
@@ -62,12 +62,12 @@ class StampedStream {
   Acceptance judge(std::int64_t stamp, bool finite) const;
   void count(Acceptance acceptance);
 
-  /// Returns later - earlier [ns], which may exceed the range of a signed number.
+  /// Returns later - earlier [ns], which may exceed the range of a signed integer.
   static std::uint64_t between(std::int64_t earlier, std::int64_t later) {
     return static_cast<std::uint64_t>(later) - static_cast<std::uint64_t>(earlier);
   }
 
-  /// Returns the time from one stamp [ns] to a later one [s].
+  /// Returns the time [s] from one stamp [ns] to a later one.
   static double secondsBetween(std::int64_t earlier, std::int64_t later);
 
   std::uint64_t max_gap_;  // [ns]
@@ -76,17 +76,17 @@ class StampedStream {
   bool started_ = false;
 };
 
-/// Feeds a component with stamped samples. Time is the stamp's integer nanoseconds alone, so that a log gives the same
-/// force to the last bit from a topic, a bag or a file.
+/// Feeds stamped samples to a component. Time is computed only from the integer nanoseconds of the stamps, so that a
+/// log gives the same force, bit by bit, from a topic, a bag or a file.
 class SampleStream : public StampedStream {
  public:
-  /// The component must outlive the stream. max_gap in [s].
+  /// The component has to outlive the stream. `max_gap` [s]: longest time gap that counts as an ordinary step.
   explicit SampleStream(const Component& component, double max_gap = 0.5);
 
-  /// Processes a sample: stamp [ns], displacement [m]. At the first one after construction or reset() the component is
-  /// at rest. A dropped sample does not change the state. Allocates nothing.
+  /// Processes a sample: stamp [ns], displacement [m]. The first sample after construction or reset() finds the
+  /// component at rest. A dropped sample does not change the state. Allocates nothing.
   __attribute__((always_inline)) StreamForce push(std::int64_t stamp, double displacement) {
-    // With a time step that was accepted before, only the numbers have to be checked.
+    // If the time step equals one that was accepted before, only the numbers have to be checked.
     if (stamp <= last_stamp_ || between(last_stamp_, stamp) != usual_.nanoseconds ||
         !(std::abs(displacement) <= kLargest) || step_count_ == kMostSteps) {
       return pushAny(stamp, displacement);
@@ -101,36 +101,36 @@ class SampleStream : public StampedStream {
     return {Acceptance::accepted, force};
   }
 
-  /// Pushes samples up to the first that is dropped and returns the number accepted; writes their forces [N], the same
-  /// to the last bit as of push(), to `force`. Several times as fast for evenly spaced samples.
+  /// Pushes samples up to the first that is dropped, and returns the number of accepted samples. Writes their forces
+  /// [N] to `force`, equal to those of push() bit by bit. Evenly spaced samples are several times as fast.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
 
-  /// Sets the temperature [degC] of the following samples; returns false, without effect, if the component's shifts are
-  /// not valid there. Without effect for a component without shifts. Allocates nothing.
+  /// Sets the temperature [degC] of the following samples. Returns false, without effect, if a shift of the component
+  /// is not valid at this temperature. Does nothing for a component without shifts. Allocates nothing.
   bool setTemperature(double temperature);
 
-  /// Pushes samples with the temperature [degC] of each (null: none), up to one at which the shifts are not valid.
+  /// Pushes samples, each with a temperature [degC] (null: none), up to one at which the shifts are not valid.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
                       std::size_t count, double* force);
 
-  /// Resets to a new test piece at rest, with the same temperature and counters; the next sample starts again.
+  /// Resets to a new test piece at rest at the next sample. Temperature and counters are kept.
   void reset();
 
   const ComponentState& state() const { return state_; }
 
-  /// Continues where another stream of the same component stopped. Throws as Component::restore() does.
+  /// Continues where another stream of the same component stopped. Throws like Component::restore().
   void deserialise(std::int64_t last_stamp, double displacement, const std::vector<double>& memory);
 
  private:
-  // A step since the state was saved.
+  // A step after the state was saved.
   struct Step {
     double dt;            // [s]
     double displacement;  // [m]
   };
-  static constexpr std::size_t kMostSteps = 64;  // which are repeated if a force is not finite
-  static constexpr double kLargest = 1e30;       // [m]; larger than any component, and finite in a delay
+  static constexpr std::size_t kMostSteps = 64;  // steps that are repeated if a force is not finite
+  static constexpr double kLargest = 1e30;       // [m]; larger than any component, but with finite results in a delay
 
-  // The last accepted time between samples; 0 if there is none.
+  // The time between samples that was accepted last; 0 if there is none.
   struct Interval {
     std::uint64_t nanoseconds = 0;
     double seconds = 0.0;
@@ -147,7 +147,7 @@ class SampleStream : public StampedStream {
 
   const Component& component_;
   ComponentState state_;
-  // An earlier state and the steps since, to restore the state before a sample.
+  // An earlier state and the steps after it, from which the state before a sample can be restored.
   ComponentState saved_;
   std::array<Step, kMostSteps> steps_;
   std::size_t step_count_ = 0;

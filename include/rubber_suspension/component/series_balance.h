@@ -1,4 +1,4 @@
-// Compliances and contacts in series with the test piece, and its remaining displacement. Throws nothing.
+// Compliances and contacts in series with the test piece, and the resulting displacement. No function here throws.
 #pragma once
 
 #include <limits>
@@ -10,18 +10,18 @@
 
 namespace rubber_suspension::component {
 
-/// Elements of series compliance, whose deflections under the common force F add up: z_test_piece + u(F) = z. The
-/// solution of this series balance is the displacement of the test piece.
+/// Series elements, whose deflections under the common force F add up to u(F). The displacement of the test piece is
+/// the solution of the series balance z_test_piece + u(F) = z.
 class SeriesBalance {
  public:
   void add(const std::shared_ptr<const element::SeriesElement>& element);
 
   bool empty() const { return empty_; }
 
-  /// Returns true if u = F/K_s on both sides.
+  /// Returns true if u = F/K_s with the same stiffness K_s for both signs of the force.
   bool linear() const { return hardening_.empty() && sides_.tension == sides_.compression && !hasContact(); }
 
-  /// Returns true if a contact opens under a force of some sign.
+  /// Returns true if a contact opens under a force of either sign.
   bool hasContact() const { return tension_opens_ < kNever || compression_opens_ < kNever; }
 
   /// Returns true if a contact opens under this force [N].
@@ -30,19 +30,19 @@ class SeriesBalance {
   /// Returns the force [N] that an open contact transmits, with the sign of the force that opens it.
   double keptBy(double force) const { return force > tension_opens_ ? tension_opens_ : -compression_opens_; }
 
-  /// Returns 1/K_s [m/N] of a linear balance; 0 without elements.
+  /// Returns 1/K_s [m/N] of a linear balance; 0 if there are no elements.
   double compliance() const { return sides_.tension; }
 
-  /// Returns the deflection u [m] under a force [N], except that of open contacts.
+  /// Returns the deflection u [m] under a force [N], without the opening of contacts.
   double deflection(double force) const;
 
-  /// Returns the displacement [m] of a test piece of basic laws alone at the end of a step. `path`: motion before the
-  /// compliance; `start`: displacement [m] of the test piece before the step; `memory` and `prepared`: those of the
-  /// kernel. In closed form if nothing hardens and a single friction, if any, keeps its direction. Contacts must not
-  /// open.
+  /// Returns the displacement [m] of a test piece that consists of basic laws only, at the end of a step. `path`:
+  /// motion before the compliance; `start`: displacement [m] of the test piece before the step; `memory` and
+  /// `prepared`: data of the kernel. The solution is in closed form if no element hardens and if there is at most one
+  /// friction, which keeps its direction. No contact may open.
   double solve(const kernel::BasicLawsKernel& laws, const element::Motion& path, double start, const double* memory,
                const kernel::PreparedStep& prepared) const {
-    // The part linear in the displacement is summed up once, not for each trial.
+    // The part that is linear in the displacement is computed once, and not in each trial.
     const kernel::LinearForce linear = laws.withoutFriction(start, memory, prepared);
     if (hardening_.empty()) {
       const Equation equation = equationOf(laws, linear, path, memory);
@@ -58,12 +58,12 @@ class SeriesBalance {
   struct Equation {
     double slope;       // [-]
     double offset;      // [m]
-    double compliance;  // for the sign of the force [m/N]
+    double compliance;  // compliance for the sign of the force [m/N]
   };
 
   Equation equationOf(const kernel::BasicLawsKernel& laws, const kernel::LinearForce& linear,
                       const element::Motion& path, const double* memory) const {
-    // The compliance reduces the force but keeps its sign, which determines the side.
+    // The compliance reduces the force without changing its sign, which determines the side.
     const double compliance =
         sides_.tension == sides_.compression
             ? sides_.tension
@@ -79,10 +79,10 @@ class SeriesBalance {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   bool empty_ = true;
-  double tension_opens_ = kNever;                       // of a contact, which opens beyond this force [N]
-  double compression_opens_ = kNever;                   // likewise, beyond this magnitude
-  element::SeriesElement::Compliance sides_{0.0, 0.0};  // sums over the elements that are linear to either side
-  std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // the others
+  double tension_opens_ = kNever;      // force beyond which a contact opens [N]
+  double compression_opens_ = kNever;  // magnitude of the compressive force beyond which a contact opens [N]
+  element::SeriesElement::Compliance sides_{0.0, 0.0};  // sums over the elements that are linear on each side
+  std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // all other elements
 };
 
 }  // namespace rubber_suspension::component

@@ -1,4 +1,4 @@
-// Fast springs, dashpots, Maxwell elements and Berg friction in parallel, with the same bits as their single laws.
+// Fast springs, dashpots, Maxwell elements and Berg friction in parallel; bit by bit equal to the single laws.
 #pragma once
 
 #include <algorithm>
@@ -19,28 +19,28 @@
 
 namespace rubber_suspension::kernel {
 
-/// Numbers that a kernel derives from its laws, step length and memory to make the next step fast. They are all data of
-/// such a step besides the memory, so that little is fetched for each of many components. They need not be saved.
-/// Throws nothing.
+/// Coefficients that make the next step fast. A kernel derives them from its laws, the step length and the memory, so
+/// that they need not be saved. Besides the memory they are all that such a step reads, so that little is fetched per
+/// component. No member function throws.
 struct PreparedStep {
-  double dt = -1.0;               ///< step length of the coefficients [s]
+  double dt = -1.0;               ///< step length for which the coefficients are valid [s]
   double dashpot_gain = 0.0;      ///< c/dt [N/m]
   double spring_stiffness = 0.0;  ///< [N/m]
-  element::BergSide branch;       ///< branch of a single friction with the present memory, or none
+  element::BergSide branch;       ///< branch of a single friction for the present memory, or no branch
   std::uint32_t friction_count = 0;
   std::uint32_t maxwell_count = 0;
   /// Coefficients of the Maxwell elements.
   boost::container::small_vector<MaxwellBlock, 1, boost::alignment::aligned_allocator<MaxwellBlock, kCacheLine>>
       maxwells;
 
-  /// Returns true if a step is as long as the one before and reverses no friction: continueTo() is then the step.
+  /// Returns true if continueTo() may replace the step: its length is unchanged, and no friction reverses.
   __attribute__((always_inline)) bool continues(double length, double displacement, const double* memory) const {
     return sameBits(length, dt) &&
            (friction_count == 1 ? element::BergFriction::keepsDirection(branch, displacement, memory + maxwell_count)
                                 : friction_count == 0);
   }
 
-  /// Returns the force [N] after such a step; calls no function.
+  /// Returns the force [N] after such a step, without calling a function.
   __attribute__((always_inline)) element::ComponentForce continueTo(double displacement, double increment,
                                                                     double* memory) const {
     const double friction =
@@ -48,7 +48,7 @@ struct PreparedStep {
     return advance(displacement, increment, friction, memory);
   }
 
-  /// Advances the Maxwell elements; returns the force [N] of all laws, given that of friction.
+  /// Advances the Maxwell elements. Returns the force [N] of all laws, of which `friction` is the part of friction.
   __attribute__((always_inline)) element::ComponentForce advance(double displacement, double increment, double friction,
                                                                  double* memory) const {
     const double elastic = spring_stiffness * displacement;
@@ -57,7 +57,7 @@ struct PreparedStep {
   }
 
  private:
-  /// Compares step lengths, which are neither 0 nor NaN, as integers, which saves two instructions.
+  /// Returns true if two step lengths, neither 0 nor NaN, are equal. Comparing them as integers saves two instructions.
   static bool sameBits(double one, double other) {
     std::uint64_t bits = 0;
     std::uint64_t other_bits = 0;
@@ -67,60 +67,60 @@ struct PreparedStep {
   }
 };
 
-/// A force that is linear in a displacement.
+/// A force that depends linearly on a displacement.
 struct LinearForce {
-  double held;   ///< at zero displacement [N]
+  double held;   ///< force at zero displacement [N]
   double slope;  ///< [N/m]
 
   double at(double displacement) const { return held + slope * displacement; }
 };
 
-/// F = k z + c dz/dt + sum of Maxwell forces + sum of Berg friction, in this order of summation.
+/// Computes F = k z + c dz/dt + sum of Maxwell forces + sum of Berg friction, added in this order.
 ///
-/// Memory, which the caller owns: the Maxwell forces, then that of each friction.
+/// The caller owns the memory, which contains the Maxwell forces and then the memory of each friction.
 class BasicLawsKernel {
  public:
   explicit BasicLawsKernel(const element::BasicLaws& laws = {});
 
   std::size_t memorySize() const { return maxwell_count_ + frictions_.size() * element::BergFriction::kMemorySize; }
 
-  /// Returns a step of the right size, without a step length.
+  /// Returns a PreparedStep of the right size, which still needs a step length.
   PreparedStep makePreparedStep() const;
 
-  /// Initialises the memory at rest at this displacement [m], fully relaxed.
+  /// Initialises the memory for a fully relaxed state at rest at this displacement [m].
   element::ComponentForce initialise(double displacement, double* memory) const;
 
-  /// Computes the coefficients of a step length > 0 [s].
+  /// Computes the coefficients for a step length > 0 [s].
   void prepare(double dt, PreparedStep& prepared) const;
 
-  /// Advances by one step, with arguments in registers. `prepared` belongs to this kernel, and its branch, if any, to
-  /// the memory.
+  /// Advances by one step. `prepared` has to belong to this kernel and, if it has a branch, to `memory`. The arguments
+  /// are passed in registers.
   element::ComponentForce step(double dt, double displacement, double increment, double* memory,
                                PreparedStep& prepared) const;
 
-  /// Advances by a step of the prepared length without the branch, for a memory that others change as well.
+  /// Advances by one step of the prepared length. It does not use the branch, so other code may also change the memory.
   element::ComponentForce stepWithoutBranch(const element::Motion& motion, double* memory,
                                             const PreparedStep& prepared) const {
     return prepared.advance(motion.displacement, motion.increment, advanceFrictions(motion.displacement, memory),
                             memory);
   }
 
-  /// Simulates steps of dt [s] to `count` displacements [m], from the displacement `start` on, and writes the total
-  /// forces [N] to `force`. Several times as fast as single steps.
+  /// Simulates steps of dt [s] from the displacement `start` [m] to `count` further displacements and writes the total
+  /// forces [N] to `force`. This is several times as fast as single steps.
   void simulate(double dt, double start, const double* displacement, std::size_t count, double* force, double* memory,
                 PreparedStep& prepared) const;
 
-  /// Returns the force without friction at the end of a step from `start` [m], as a function of the displacement there.
+  /// Returns the force without friction after a step from `start` [m], as a function of the displacement there.
   LinearForce withoutFriction(double start, const double* memory, const PreparedStep& prepared) const;
 
-  /// Returns the force of friction [N] after a step to this displacement [m]; the memory does not change.
+  /// Returns the force of friction [N] after a step to this displacement [m], without changing the memory.
   double frictionAt(double displacement, const double* memory) const;
 
-  /// Returns the displacement z [m] at the end of a step with slope z + offset + compliance friction(z) = 0, in closed
-  /// form; nullopt for several frictions, or if friction changes its direction.
+  /// Returns in closed form the displacement z [m] after a step for which slope z + offset + compliance friction(z) =
+  /// 0. Returns nullopt for several frictions, or if friction reverses.
   std::optional<double> balance(double slope, double offset, double compliance, const double* memory) const;
 
-  /// Returns K* [N/m] at angular frequency omega [rad/s]; nullopt if there is friction.
+  /// Returns K* [N/m] at the angular frequency omega [rad/s]; nullopt if there is friction.
   std::optional<std::complex<double>> complexStiffness(double omega) const;
 
  private:
@@ -140,13 +140,13 @@ class BasicLawsKernel {
   double spring_stiffness_;
   double damping_;
   std::size_t maxwell_count_;
-  std::vector<double> maxwell_stiffness_;  // [N/m], with zeros up to a whole number of blocks
-  std::vector<double> maxwell_rate_;       // 1/tau [1/s], likewise
+  std::vector<double> maxwell_stiffness_;  // [N/m], padded with zeros to a whole number of blocks
+  std::vector<double> maxwell_rate_;       // 1/tau [1/s], padded with zeros to a whole number of blocks
   double fastest_rate_ = 0.0;
   std::vector<element::BergFriction> frictions_;
 };
 
-// Inline, because a series balance calls them in each trial.
+// These functions are inline, because a series balance calls them in each trial.
 
 inline LinearForce BasicLawsKernel::withoutFriction(double start, const double* memory,
                                                     const PreparedStep& prepared) const {

@@ -1,4 +1,4 @@
-// The step of many Maxwell elements, two side by side. Throws nothing.
+// The step of many Maxwell elements, two in each vector register. No function here throws.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,20 @@
 
 namespace rubber_suspension::kernel {
 
-constexpr std::size_t kCacheLine = 64;  ///< bytes
+constexpr std::size_t kCacheLine = 64;  ///< size of a cache line [bytes]
 
-/// Two numbers in one register: a vector type of GCC that Clang supports, too.
+/// Two numbers in one vector register, by a type of GCC that Clang also supports.
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
-/// Coefficients of the step of eight Maxwell elements, as in MaxwellStep.
+/// Coefficients of the step of eight Maxwell elements (see MaxwellStep).
 struct alignas(kCacheLine) MaxwellBlock {
   static constexpr std::size_t kSize = 8;
 
   Pair decay[kSize / 2];
   Pair gain[kSize / 2];
 
-  /// Advances two elements by an increment of displacement [m], and adds their forces [N] to the first number of `sum`,
-  /// one after the other; the second number is not used.
+  /// Advances two elements by an increment of displacement [m], and adds first one and then the other force [N] to the
+  /// first number of `sum`. The second number of `sum` is not used.
   void stepPair(std::size_t pair, double increment, double* force, Pair& sum) const {
     Pair forces;
     std::memcpy(&forces, force, sizeof forces);
@@ -31,8 +31,8 @@ struct alignas(kCacheLine) MaxwellBlock {
     sum += Pair{forces[1], forces[1]};
   }
 
-  /// Advances the first elements, eight at most, likewise. Recursion replaces a loop, which would cost as much as the
-  /// elements do, and nested conditions avoid the computation of addresses.
+  /// Advances the first `count` elements, at most eight, in the same way. Recursion replaces a loop, which would take
+  /// as much time as the elements; nested conditions avoid the computation of addresses.
   template <std::size_t first = 0>
   __attribute__((always_inline)) void stepFirst(std::size_t count, double increment, double* force, Pair& sum) const {
     if constexpr (first < kSize) {
@@ -47,8 +47,8 @@ struct alignas(kCacheLine) MaxwellBlock {
   }
 };
 
-/// Advances `count` Maxwell elements by an increment of displacement [m]; returns the sum of `start` and their forces
-/// [N], in their order. `force` is their memory.
+/// Advances `count` Maxwell elements by an increment of displacement [m]. Adds their forces [N] to `start` in order and
+/// returns the sum. `force` is their memory.
 __attribute__((always_inline)) inline double stepMaxwells(const MaxwellBlock* block, std::size_t count,
                                                           double increment, double start, double* force) {
   Pair sum = {start, 0.0};
