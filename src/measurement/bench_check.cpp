@@ -29,7 +29,7 @@ using Eigen::VectorXd;
 constexpr double kPeakToPeak = 2.0;
 constexpr double kFollows = 0.7;   // correlation of a force with one that explains it
 constexpr double kClearly = 0.35;  // share of the variance that a better explanation adds
-// Distance 1 - cos that is one nat: measured phases scatter by 45 degrees about those of an explanation.
+// Phase distance 1 - cos that counts as one nat, because measured phases scatter by 45 degrees about an explanation.
 constexpr double kOneNat = 0.3;
 
 // A factor between measured and configured stiffness (or its inverse), and the units whose confusion causes it.
@@ -76,20 +76,20 @@ std::optional<UnitFactor> unitFactorOf(double ratio, double of_large, double of_
 // tolerance of the data sheet and a little friction; otherwise it would explain the log of any other component.
 std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ratio, 2.5, 1.25); }
 
-// Tolerance of a data sheet: the factor of 1.4 standard deviations, by which it may be wrong without any effect.
+// Tolerance of a data sheet: a stiffness may be wrong by the factor of 1.4 standard deviations without any effect.
 struct Sheet {
   explicit Sheet(double tolerance) : factor(std::exp(1.4 * tolerance)) {}
 
-  // Smallest and largest ratio of stiffness of a whole log that effects cause: friction raises it up to 3 times at
-  // small amplitude and 1.5 times over all amplitudes, progressive stiffness doubles it; softening, free play, heat and
-  // a series compliance lower it to a third. The tolerance of the data sheet is added.
+  // Smallest and largest ratio of measured to configured stiffness that effects cause over a whole log: friction raises
+  // it up to 3 times at small amplitude and 1.5 times over all amplitudes, progressive stiffness doubles it; softening,
+  // free play, heat and a series compliance lower it to a third. The data sheet's tolerance is included.
   double least() const { return 0.345 / factor; }
   double most() const { return 3.04 * factor; }
   bool plausible(double ratio) const { return ratio > least() && ratio < most(); }
   bool mayBe(double ratio) const { return apart(ratio, 1.0) < factor; }
 
-  // For named units, which are rarely wrong: a small factor may differ by the tolerance of the data sheet, a large one
-  // by half.
+  // For named units, which are rarely wrong: a small factor may differ by the data sheet's tolerance, a large one by
+  // half.
   std::optional<UnitFactor> namedFactorOf(double ratio) const {
     return unitFactorOf(ratio, std::max(1.5, factor), factor);
   }
@@ -128,7 +128,7 @@ struct Configured {
   gap::LogDriver component;
   Sheet sheet;
   std::string contact;                   // type of the last compliance of one side; empty if there is none
-  std::optional<gap::LogDriver> turned;  // the component with these compliances on the other side
+  std::optional<gap::LogDriver> turned;  // the component with its compliances of one side on the other side
 };
 
 // An effect with the same symptoms: a delay changes only the phase, a mass in fast motion lowers or reverses the
@@ -146,7 +146,6 @@ struct Explained {
 
 using Explanation = std::optional<Explained>;
 
-// Comparison of a log with the simulated force of the component.
 struct Shown {
   Configured& configured;
   const log::Record& record;
@@ -177,7 +176,7 @@ struct Shown {
   bool takesEnergy() const { return work_forward > leastWork() || work > std::max(3.0 * work_deviation, 1e-9); }
 
   // Returns the factor by which the measured force is too large if nothing else is wrong. Returns nullopt if no factor
-  // is credible; for a damper, only a factor above 90 is.
+  // is credible; for a damper, only factors above 90 are credible.
   std::optional<double> scale() const {
     if (isElastic()) {
       return simulated_slope.stiffness > 0.0 && measured.stiffness > 0.0 ? std::optional(ratio) : std::nullopt;
@@ -203,7 +202,7 @@ RigFinding fatal(const std::string& log, const char* finding, double value, cons
   return {log, finding, value, {value, value}, unit, true, true, fmt::format(text, std::forward<Values>(values)...)};
 }
 
-// `remedy`: how to name the unit; empty for the option.
+// `remedy`: how the user can correct the unit; if empty, the text names options of the command line.
 RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& unit, std::string remedy = "") {
   if (remedy.empty()) {
     remedy = fmt::format(
@@ -341,7 +340,7 @@ Explanation rectified(const Shown& log) {
   return std::nullopt;
 }
 
-// Finds a force that is small noise and follows neither the displacement nor, as friction does, its direction.
+// Finds a force that is small noise and follows neither the displacement nor, like friction, the direction of motion.
 Explanation silent(const Shown& log) {
   constexpr double kNothing = 0.05;    // share of the simulated force
   constexpr double kUnrelated = 0.15;  // correlation
@@ -362,7 +361,8 @@ Explanation silent(const Shown& log) {
                record.force_deviation, 100.0 * log.force_ratio);
 }
 
-// Returns the SI length unit over the SI force unit with which the log fits this component with exchanged columns.
+// Returns the ratio of length unit to force unit (in SI) with which the log fits the component after columns are
+// exchanged.
 std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& record, const Sheet& sheet) {
   for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {
     const VectorXd displacement = units * record.force;
@@ -376,7 +376,7 @@ std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& 
   return std::nullopt;
 }
 
-// Returns true if the log fits this component with exchanged columns in any units, and its loops allow this.
+// Returns true if exchanged columns fit the component in any units, and the loops do not contradict this.
 bool looksSwapped(const Shown& log) {
   return log.work_forward <= 3.0 * log.work_deviation &&
          unitsOfSwap(log.configured.component, log.record, log.configured.sheet);
@@ -396,7 +396,7 @@ bool isTurnedAsByMass(const Shown& log) {
 
 // Finds a force that falls where the displacement rises, with loops that create energy for any delay of the channels.
 // The work is inconclusive for a spring with hardly any loss. Its force then has to be the simulated force with the
-// opposite sign, of any size, because the configured stiffness may be a guess or have a wrong unit.
+// opposite sign, but may have any size, because the configured stiffness may be a guess or have a wrong unit.
 Explanation reversedSign(const Shown& log) {
   const bool gives = log.work_backward < -log.leastWork();
   if (!log.falls() || (!gives && (log.takesEnergy() || log.force_correlation > -0.9))) {
@@ -449,12 +449,13 @@ Explanation turnedPhases(const Shown& log) {
   if (!log.isElastic() && !log.configured.sheet.plausible(log.force_ratio)) {
     return signFinding(log);
   }
-  // If the stiffness is as configured and exchanged columns do not fit, only a delay remains, however short. Delays
-  // within the range of the effect time_delay are not reported here.
-  constexpr double kMostBehind = 15.0;     // samples, or
-  constexpr double kLongestBehind = 0.03;  // [s], whichever is longer
+  // If the stiffness is as configured and exchanged columns do not fit, only a delay remains as explanation, however
+  // short. Delays within the range of the effect time_delay are not reported here.
+  constexpr double kMostBehind = 15.0;     // samples; the longer of this and the next limit applies
+  constexpr double kLongestBehind = 0.03;  // [s]
   constexpr double kMostAhead = 4.0;       // samples
-  constexpr double kClearlyLate = 0.124;   // share of a period above which a delay competes with sign and columns
+  constexpr double kClearlyLate =
+      0.124;  // share of a period; a longer delay competes with a wrong sign or wrong columns
   const bool as_stiff = log.isElastic() && log.configured.sheet.plausible(log.ratio);
   const bool only_delay = as_stiff && !looksSwapped(log);
   const auto [delay, late] = bestDelay(log, only_delay ? 0.0 : kClearlyLate);
@@ -497,7 +498,7 @@ Explanation turnedContact(const Shown& log) {
 // Compares a log with the component. Both channels have to vary.
 void compare(Shown& log) {
   constexpr double kForward = 1.5;        // samples; a smaller delay between channels is no fault of a bench
-  constexpr double kLargestShare = 0.02;  // of a cycle
+  constexpr double kLargestShare = 0.02;  // share of a cycle
   const log::Record& record = log.record;
   log.measured = slopeOf(record.displacement, record.force);
   log.simulated_slope = slopeOf(record.displacement, log.simulated);
@@ -566,7 +567,7 @@ double medianScale(const std::vector<const Shown*>& logs) {
 // Finds one factor in all logs whose force is otherwise similar to the simulated one; or, in one log, a factor above
 // 90, which no effect causes, if other logs are plausible.
 std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Shown*>& logs) {
-  constexpr double kOne = 1.5;         // factor between two logs due to their frequency and amplitude
+  constexpr double kOne = 1.5;         // largest factor between two logs due to their frequency and amplitude
   constexpr double kLike = 0.8;        // correlation with the simulated force
   constexpr double kJustLike = 0.995;  // correlation for a factor that a wrong data sheet may also cause
   const Sheet& sheet = log.configured.sheet;
@@ -592,10 +593,10 @@ std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Show
   return unit && isLarge(unit->factor) ? std::optional(unitFinding(name, scale, *unit)) : std::nullopt;
 }
 
-// Returns the likeliest explanation of a log given all logs; nullopt if an effect explains it as well. A reversed sign,
-// exchanged columns or a wrong unit affect all logs of a bench. So each log that shows one of them counts one nat for
-// it, each right log one nat against it, and a reversed spring without loss nothing. A mass reverses or softens only
-// the fastest logs.
+// Returns the likeliest explanation of a log given all logs; nullopt if an effect explains the log equally well. A
+// reversed sign, exchanged columns or a wrong unit affect all logs of a bench. So each log that shows such an error
+// counts as one nat for it, each right log as one nat against it, and a reversed spring without loss as nothing. A mass
+// reverses or softens only the fastest logs.
 std::optional<RigFinding> explanationOf(const Shown& log, const Bench& bench) {
   if (log.own) {
     const bool effect = log.own->likewise == Likewise::delay ||

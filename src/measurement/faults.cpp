@@ -28,7 +28,8 @@ constexpr Index kScaleBlock = 64;  // samples over which the scatter is assumed 
 constexpr Index kAround = 6;       // samples about a spike that belong to the same visit of a displacement
 constexpr Index kMostVisits = 1000;
 constexpr double kOddsOfSpike = 9.0;
-constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // share of visits with a corner; one spike causes five
+constexpr double kShareBesideSpikes =
+    5.0 * kMostSpikes;  // share of visits with a corner; one spike causes five corners
 
 // A noisy channel repeats less than this share of its samples, except at its extremes and in long runs.
 constexpr double kFewRepeats = 0.02;
@@ -103,9 +104,9 @@ struct Channel {
   double lowest;
   double range;
   double step;            // smallest step between samples
-  bool noisy;             // values hardly ever repeat, except at the extremes
-  VectorXd scale;         // standard deviation of the deviation of one sample
-  VectorXd scale_of_two;  // standard deviation of the deviation of two samples
+  bool noisy;             // true if values hardly ever repeat, except at the extremes
+  VectorXd scale;         // standard deviation of deviation() for one sample
+  VectorXd scale_of_two;  // standard deviation of deviation() for two samples
 };
 
 Channel::Channel(const VectorXd& samples, bool of_force)
@@ -180,8 +181,8 @@ std::optional<Hole> spikeAt(const Channel& channel, Index begin) {
   return std::nullopt;
 }
 
-// Least sharpness, relative to a spike, of a corner that may have caused it. A corner appears less sharp by up to this
-// factor where samples miss it, or where the force is steeper than elsewhere.
+// Smallest sharpness of a corner, relative to a spike, that may have caused the spike. A corner appears less sharp by
+// up to this factor where samples miss it, or where the force is steeper than elsewhere.
 constexpr double kAlike = 0.2;
 
 // Returns true if a corner is due to another spike than `hole`, because samples beside a spike have corners, too.
@@ -240,14 +241,14 @@ class Mass {
     fit(deviation, holes);
   }
 
-  // Returns true if the jump at a hole is more than half of the jump that the mass needs for it.
+  // Returns true if the jump at a hole is more than half of the jump that the mass needs for such a peak.
   bool explains(const Hole& hole) const {
     const Index at = middleOf(hole);
     return jump_[at] / (peakAt(at) * jump_over_peak_) > 0.5;
   }
 
  private:
-  static constexpr Index kReach = 64;  // samples around a jump that show it at most
+  static constexpr Index kReach = 64;  // largest number of samples around a jump that show it
   static constexpr Index kBeside = 3;  // samples within which the time of a jump is known
 
   static Index middleOf(const Hole& hole) { return hole.begin + (hole.width - 1) / 2; }
@@ -293,7 +294,7 @@ class Mass {
 
   const Channel& force_;
   VectorXd jump_;                     // jump of the slope of the displacement [per sample]
-  double jump_over_peak_ = HUGE_VAL;  // ratio for the mass; infinite without a mass, so that it explains nothing
+  double jump_over_peak_ = HUGE_VAL;  // ratio for the mass; infinite without a mass, so that nothing is explained
 };
 
 // Returns true if a corner at or beside a sample is about as sharp as a hole is deep, with the same sign.
@@ -482,7 +483,7 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
       const Index reach = std::max<Index>(3, (run.end - run.begin) / 8);
       const bool turns = turnsAtEnd(other.values, run, reach, kSpikeLimit * other.scale[run.begin]);
       in_motion += turns ? 0 : run.end - run.begin;
-      variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // (3/n + 3/(2 n)) n^2
+      variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // of the bulge: (3/n + 3/(2 n)) n^2
     }
   }
   const double width = std::max(3.5 * channel.coarseStep(), 0.005 * channel.range);

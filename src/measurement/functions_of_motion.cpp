@@ -21,7 +21,7 @@ class Hats {
   Hats(const VectorXd& signal, Index count)
       : low_(signal.minCoeff()), step_(rangeOf(signal) / static_cast<double>(count - 1)) {}
 
-  // Returns the index of the first of these two functions, and the value of the second.
+  // Returns the index of the first function that differs from 0 at `value`, and the value of the next function.
   std::pair<Index, double> at(double value) const {
     const double place = step_ > 0.0 ? (value - low_) / step_ : 0.0;
     const auto first = static_cast<Index>(place);
@@ -72,8 +72,8 @@ class Columns {
   Index each_;
 };
 
-// Returns the number of hat functions of each kind that a log can determine: one for two cycles, and in total one for
-// 50 samples, so that they absorb at most some percent of the noise.
+// Returns the number of hat functions of each kind that a log can determine: at most one per two cycles, and in total
+// at most one per 50 samples, so that they absorb at most some percent of the noise.
 Index tellable(const log::Record& record, const Mask& mask) {
   constexpr double kKinds = 3.0;
   constexpr double kMost = 12.0;

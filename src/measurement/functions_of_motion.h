@@ -10,8 +10,8 @@ namespace rubber_suspension::measurement {
 
 /// Fits piecewise linear functions of displacement, for each direction, and of speed to a residual [N] by least squares
 /// over the samples that count, and returns the residual without them. Nonlinear stiffness and damping, stops, and most
-/// of friction are such functions. Their number depends on the length of the log, so that noise remains; a log of a few
-/// cycles has none.
+/// of friction are such functions. The number of functions depends on the length of the log, so that noise remains. For
+/// a log of a few cycles it is 0.
 Eigen::VectorXd withoutFunctionsOfMotion(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 }  // namespace rubber_suspension::measurement

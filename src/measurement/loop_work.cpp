@@ -46,8 +46,7 @@ std::vector<Part> partsOf(const VectorXd& values, Index length) {
   return parts;
 }
 
-// Returns the number of swings of a signal without trend from beyond half of its deviation to the same on the other
-// side.
+// Returns how often a signal without trend swings from beyond half of its deviation to beyond it on the other side.
 int swingsOf(const VectorXd& values, double deviation) {
   int swings = 0;
   double side = 0.0;

@@ -11,7 +11,7 @@
 namespace rubber_suspension::measurement {
 
 /// Stiffness from the median of slopes between samples that are a quarter or half of a typical cycle apart. Offsets,
-/// drifts, bump stops and spikes hardly affect it.
+/// drifts, bump stops and spikes hardly affect this median.
 struct Slope {
   double stiffness = 0.0;    ///< [N/m]
   double correlation = 0.0;  ///< correlation of the differences of force and displacement
@@ -34,8 +34,9 @@ class CrossSpectrum {
  public:
   CrossSpectrum(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-  /// Returns the net work of the loops over the largest possible work, with the force shifted forward by some samples,
-  /// and its standard deviation (jackknife over windows). The work is positive if the loops dissipate energy.
+  /// Returns the ratio of the net work of the loops to the largest possible work, with the force shifted forward by
+  /// some samples, and the standard deviation of this ratio (jackknife over windows). It is positive if energy is
+  /// dissipated.
   std::pair<double, double> work(double forward) const;
 
   std::vector<Octave> octaves() const;
@@ -72,8 +73,8 @@ struct DeadPart {
 /// in a hold, by more than `least_of_other` of its deviation in the rest of the log, unlike within a free play.
 DeadPart deadPart(const Eigen::VectorXd& channel, const Eigen::VectorXd& other, double least_of_other);
 
-/// Returns true if the force during a part with constant displacement exceeds hum, that is, the part of the force that
-/// follows neither displacement nor rate in the rest of the log and continues in a hold.
+/// Returns true if the force during a part with constant displacement exceeds hum. Hum continues in a hold; it is the
+/// part of the force that follows neither displacement nor rate in the rest of the log.
 bool isOfAMotion(const Eigen::VectorXd& force, const Eigen::VectorXd& displacement, const DeadPart& dead);
 
 /// Returns the correlation of two signals about their means; 0 if either does not vary.

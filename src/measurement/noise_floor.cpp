@@ -47,7 +47,7 @@ ExcludedBand motionBand(const log::Record& record) {
   return motion;
 }
 
-// Returns the samples at which the displacement crosses its mean upwards, after it was below by 2 % of its range.
+// Returns the samples at which the displacement crosses its mean upwards after it was lower by 2 % of the range.
 std::vector<Index> upcrossings(const VectorXd& displacement) {
   const double mean = displacement.mean();
   const double margin = 0.02 * rangeOf(displacement);
@@ -295,11 +295,11 @@ std::optional<double> evidenceOfNoise(const log::Record& record, const VectorXd&
       continue;
     }
     const double lines = std::exp2(static_cast<double>(octave));
-    const double variance = kEven * kEven + boost::math::trigamma(0.5 * (lines + 1.0));  // a Hann window joins lines
+    const double variance = kEven * kEven + boost::math::trigamma(0.5 * (lines + 1.0));  // Hann windows correlate lines
     const ArrayXd logarithms = power.col(octave).max(kLeast * mean).log();
     double by_motion = -HUGE_VAL;
     for (const ArrayXd& motion : {ArrayXd(of_force.col(octave)), ArrayXd(of_force.rowwise().sum())}) {
-      for (const double exponent : {0.5, 1.0}) {  // friction grows less than other forces
+      for (const double exponent : {0.5, 1.0}) {  // 0.5 for friction, which grows less than other forces
         const ArrayXd expected = motion.pow(exponent) / motion.pow(exponent).mean() + white / mean + kLeast;
         by_motion = std::max(by_motion, likelihoodOf(logarithms - expected.log(), variance, HUGE_VAL));
       }

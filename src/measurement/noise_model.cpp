@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 
 constexpr Index kFewestSamples = 32;
 constexpr double kTimeConstantRatio = 4.0;
-constexpr std::size_t kHighestOrder = 20;  // of the filter
+constexpr std::size_t kHighestOrder = 20;  // order of the filter
 // Power of white noise, relative to the filtered noise, that is always assumed. Otherwise errors of a simulation near
 // half of the sampling rate would have a large weight, because an anti-aliasing filter passes hardly any noise there.
 constexpr double kWhiteShare = 1e-3;
@@ -96,9 +96,9 @@ SpectralFit fitExponent(const std::vector<SpectrumBand>& bands, double exponent,
 // Returns the frequency from which a filter makes the spectrum fall faster than any 1/f noise without rising again; 0.5
 // if there is none.
 double cutOff(const std::vector<SpectrumBand>& bands) {
-  constexpr std::size_t kOctave = 6;     // bands
+  constexpr std::size_t kOctave = 6;     // bands per octave
   constexpr double kSteepest = -2.6;     // only a filter makes the spectrum fall more steeply
-  constexpr double kFewestLines = 10.0;  // lines that determine the level of a band to a third
+  constexpr double kFewestLines = 10.0;  // with fewer lines the level of a band is uncertain by a third
   for (std::size_t i = 0; i + kOctave < bands.size(); ++i) {
     if (bands[i].lines < kFewestLines || bands[i].density <= 0.0) {
       continue;
@@ -138,7 +138,8 @@ std::array<double, 2> profileInterval(const std::vector<double>& exponents, cons
       interval[1] = std::max(interval[1], exponents[i]);
     }
   }
-  // Widened by one step of the grid, which covers the error of a sum of processes near half of the sampling rate.
+  // The interval is widened by a step of the grid, to cover the error of a sum of processes near half the sampling
+  // rate.
   const double step = exponents[1] - exponents[0];
   return {interval[0] - step, interval[1] + step};
 }
@@ -252,7 +253,6 @@ VectorXd centred(const VectorXd& signal, const Mask& mask) {
   return signal.array() - mean;
 }
 
-// Returns Whittle's log-likelihood of a model.
 double whittle(const NoiseModel& model, const std::vector<SpectrumBand>& bands) {
   double sum = 0.0;
   for (const SpectrumBand& band : bands) {

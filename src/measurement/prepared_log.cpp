@@ -14,7 +14,7 @@ namespace rubber_suspension::measurement {
 namespace {
 
 constexpr double kFewestUsable = 0.5;  // share; with fewer, fits would rely on interpolated samples
-constexpr double kLongestStart = 0.1;  // share of the log that its first cycle may be
+constexpr double kLongestStart = 0.1;  // longest first cycle, as a share of the log
 
 // Returns the number of samples in the first cycle of a log that starts in motion; 0 for other logs.
 Eigen::Index samplesOfStart(const log::Record& record) {
@@ -82,7 +82,7 @@ PreparedLog prepare(const log::Log& log, log::LeadIn lead_in, Start start) {
                       counts.sum(), measured, most == faults.findings.end() ? "too short" : most->text));
     }
     record.counts = counts;
-    // The start counts here, because the force after it may hardly vary, as in a hold after a ramp.
+    // Here the first cycle counts, because the force after it may hardly vary, as in a hold after a ramp.
     record.force_deviation = standardDeviation(record.force, usable);
   }
   return prepared;

@@ -84,13 +84,13 @@ VectorXd displacementOf(const std::vector<gap::PreparedRecord>& records, const s
 enum class Before {
   same_motion,  // first quarter of the log, point-mirrored, so that displacement and speed are continuous
   from_above,   // down from the highest displacement
-  from_below,   // up from the lowest
+  from_below,   // up from the lowest displacement
   from_rest,    // from the component's rest at 0
 };
 constexpr Before kMotionsBefore[] = {Before::same_motion, Before::from_above, Before::from_below, Before::from_rest};
 
-// Returns true if this motion may have occurred before the log and have changed the state of the component: the log
-// begins in motion or displaced.
+// Returns true if this motion may have occurred before the log and have changed the state of the component, because the
+// log begins in motion or displaced.
 bool mayPrecede(Before kind, const log::Record& record) {
   constexpr double kDisplaced = 0.05;  // share of the range, more than an offset that nobody removed
   const bool displaced = record.lead_in.displacement.empty() &&
@@ -336,7 +336,8 @@ bool startsAtRest(const log::Record& record) {
          std::abs(record.force[0]) < kNear * rangeOf(record.force);
 }
 
-// Returns the limit of the initial state [N]: how much the first measured forces differ from those simulated from rest.
+// Returns the limit of the initial state [N]: the difference of the first measured forces from forces simulated from
+// rest.
 double mostLeft(const log::Record& record, const VectorXd& base) {
   constexpr Index kFirst = 5;  // samples, to average noise
   const Index count = std::min(kFirst, record.size());
@@ -351,8 +352,8 @@ bool startsInMotion(const log::Record& record) {
   if (startsAtRest(record)) {
     return false;
   }
-  // The time to move ten times as far is 10 times as long at speed, 3.2 times from a turning point, and at most about
-  // 2.2 times after a standstill or if the amplitude is faded in.
+  // The time for ten times the distance is 10 times as long at constant speed, 3.2 times from a turning point, and at
+  // most about 2.2 times after a standstill or if the amplitude is faded in.
   constexpr double kFadedIn = 2.6;
   const double range = rangeOf(record.displacement);
   const double noise = record.passed_frequency > 0.0 ? 0.0 : record.displacement_noise;
@@ -385,7 +386,7 @@ double RigModel::tolerance(Nuisance nuisance, const log::Record& record) const {
 }
 
 double RigModel::prior(Nuisance nuisance, const gap::PreparedRecord& record) const {
-  constexpr double kAnyZero = 100.0;  // share of the range of the force
+  constexpr double kAnyZero = 100.0;  // times the range of the force
   constexpr double kAnyGain = 1.0;
   if (nuisance == Nuisance::gain && record.own.gain) {
     return kAnyGain;

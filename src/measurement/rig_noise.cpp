@@ -26,7 +26,7 @@ NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<gap::P
   return {kScatter * numerics::medianOf(forces), kScatter * numerics::medianOf(noise)};
 }
 
-// The squared values of the rig's errors are r'(I + C C')^-1 r minus the square of the residual (I + C C')^-1 r.
+// The squares of the values of the rig's errors sum up to r'(I + C C')^-1 r - |(I + C C')^-1 r|^2 for a residual r.
 double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residual) {
   if (record.rig.columns.cols() == 0) {
     return 0.0;

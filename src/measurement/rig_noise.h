@@ -14,13 +14,13 @@ namespace rubber_suspension::measurement {
 struct ErrorScale {
   double accepted = 0.0;     ///< accepted error, in units of the force's standard deviation
   double floor_known = 0.0;  ///< relative error by which a noise floor may be too low
-  double sharpness = 0.0;    ///< number of independent errors that all logs together count as
+  double sharpness = 0.0;    ///< number of independent errors to which all logs together amount
 
   /// Returns the error in one of `logs` logs, in units of the force's standard deviation, that the judgement considers
   /// as improbable as one standard deviation of an error of the rig.
   double oneDeviation(double floor, std::size_t logs) const;
 
-  /// Returns such an error over all logs, independent of their noise, for one standard deviation of the data sheet.
+  /// Returns oneDeviation() over all logs, independent of noise, for one standard deviation of the data sheet.
   double oneOfSheet() const { return oneDeviation(0.0, 1); }
 };
 
@@ -37,8 +37,9 @@ struct NoiseLimit {
 /// Returns 1.5 times the median noise of the logs (`noise`: as gaps), because 1/f noise differs by that much.
 NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<gap::PreparedRecord>& records);
 
-/// Returns the part of a residual [N] that errors of the rig explain, as a gap, from the improbability of their values.
-/// It is limited to the 95 % quantile, beyond which the model is wrong. It is part of the residual of any model.
+/// Returns, as a gap, the part of a residual [N] that errors of the rig explain, from the improbability of their
+/// values. The part is limited to the 95 % quantile, beyond which the model is wrong. It is in the residual of any
+/// model.
 double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residual);
 
 /// Weight of a log relative to the other logs of its rig.

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 // Returns |FFT|^2 of the windowed signal, padded to a power of two, as a one-sided density.
 VectorXd periodogram(const VectorXd& signal) {
   constexpr std::size_t kShortest = 64;
-  const double power = 0.375 * static_cast<double>(signal.size());  // of a Hann window
+  const double power = 0.375 * static_cast<double>(signal.size());  // power of a Hann window
   const std::vector<std::complex<double>> spectrum = hannSpectrum(signal, kShortest);
   VectorXd density(static_cast<Index>(spectrum.size()));
   for (Index i = 0; i < density.size(); ++i) {
@@ -45,7 +45,7 @@ std::vector<std::complex<double>> hannSpectrum(const VectorXd& signal, std::size
 
 std::vector<SpectrumBand> spectrumBands(const VectorXd& signal, const Mask& mask) {
   constexpr double kBandRatio = 1.122462048309373;  // 2^(1/6)
-  constexpr double kHannLines = 1.5;                // lines that a Hann window correlates
+  constexpr double kHannLines = 1.5;                // number of lines that a Hann window correlates
   const auto count = static_cast<double>(signal.size());
   VectorXd measured = signal;
   bridge(measured, mask);

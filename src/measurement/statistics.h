@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::measurement {
 
-constexpr double kMadToDeviation = 1.4826;  // of a normal variable
+constexpr double kMadToDeviation = 1.4826;  // standard deviation over median magnitude, of a normal variable
 
 using numerics::medianOf;
 

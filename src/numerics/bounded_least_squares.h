@@ -12,8 +12,8 @@ namespace rubber_suspension::numerics {
 Eigen::VectorXd boundedLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                     const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
-/// Minimises x'Gx/2 - b'x subject to x_i >= 0 where signed_unknown[i] is false. A rank-revealing decomposition makes it
-/// exact to rounding; collinear columns have the solution of least norm.
+/// Minimises x'Gx/2 - b'x subject to x_i >= 0 where signed_unknown[i] is false. A rank-revealing decomposition makes
+/// the result exact to rounding; collinear columns have the solution of least norm.
 Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment,
                                         const std::vector<bool>& signed_unknown);
 

@@ -34,7 +34,7 @@ BlockProducts withoutErrors(const std::vector<Eigen::MatrixXd>& products, const 
 BlockProducts withoutUnknowns(const BlockProducts& products, const Eigen::VectorXd& penalty, const BlockPlaces& places,
                               Eigen::MatrixXd& shares);
 
-/// Merges the blocks of each fold, also in `places`. The result has no in_sample.
+/// Merges the blocks of each fold, also in `places`. The result contains no in_sample.
 BlockProducts byFold(const BlockProducts& products, BlockPlaces& places);
 
 /// Returns the products of a selection of columns.

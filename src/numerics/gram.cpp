@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::numerics {
 
-constexpr std::size_t kColumnLanes = 8;  // sums in vector lanes, the same number on any processor
+constexpr std::size_t kColumnLanes = 8;  // number of sums in vector lanes, equal on all processors
 constexpr std::size_t kTile = 3;         // columns of each factor whose sums stay in registers
 constexpr std::size_t kTileSums = kTile * kTile * kColumnLanes;
 

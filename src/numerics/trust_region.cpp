@@ -15,7 +15,7 @@ namespace {
 constexpr double kFirstRadius = 1e4;     // damps the first step by 1e-4 of the diagonal of J'J
 constexpr double kLargestRadius = 1e16;  // practically without damping
 constexpr double kSmallestRadius = 1e-32;
-constexpr double kLeastDamped = 1e-6;       // least share of the unit in the diagonal of J'J that the damping assumes
+constexpr double kLeastDamped = 1e-6;  // smaller elements of diag(J'J), relative to unit(), are damped like this value
 constexpr double kLeastImprovement = 1e-3;  // share of the predicted reduction that an accepted step has to achieve
 
 // The region in which the quadratic model of the sum is trusted.
@@ -103,9 +103,9 @@ Optimum searchLeast(SumOfSquares& sum, const Eigen::VectorXd& start, const Limit
         continue;
       }
     } else if (promised > 0.5 * last_promise) {
-      break;  // the gradient is rounding
+      break;  // the gradient is as small as rounding
     } else {
-      last_promise = promised;  // the sum is at its rounding, but the gradient still decreases
+      last_promise = promised;  // the sum is exact to rounding, but the gradient still decreases
     }
     x += step;
     cost = there;

@@ -25,10 +25,10 @@ namespace rubber_suspension::measurement {
 /// - swapped_columns: force and displacement exchanged fit the component, and the loops or the stiffness do not fit it
 /// as recorded;
 /// - delay: the loops create energy because one channel is late by more than the effect time_delay explains;
-/// - unit_factor: the stiffness is wrong by the factor of a wrong unit (1000, 9.81, 25.4, 4.448, ...). Units that are
-/// assumed (log::UnitsAre) may miss this factor by 1.25, or by 2.5 if it is above 90. Units that are named may miss it
-/// by 1.4 tolerances of the data sheet, or by at least 1.5 if it is above 90, in all logs; or by a factor above 90 in
-/// one of several logs;
+/// - unit_factor: the stiffness is wrong by the factor of a wrong unit (1000, 9.81, 25.4, 4.448, ...). If units are
+/// assumed (log::UnitsAre), it may differ from a unit factor by a factor of 1.25, or of 2.5 if the unit factor is above
+/// 90. If units are named, all logs have to agree, and differ by at most 1.4 tolerances of the data sheet, or by 1.5
+/// above 90; or one of several logs is wrong by a unit factor above 90;
 /// - other_component: the stiffness of all logs is wrong by one factor that neither a unit nor the tolerance of the
 /// data sheet together with all effects of rubber explains;
 /// - peak_to_peak: the force is twice or half that of the component in all logs;
@@ -41,7 +41,7 @@ std::vector<RigFinding> checkBench(const std::vector<element::ElementDescription
                                    const std::vector<log::Record>& records,
                                    double tolerance = estimation::SheetTolerance::kUsual);
 
-/// Compares measured and configured K* [N/m] of the rows of a table. Returns the finding sign if all loss angles are
+/// Compares measured and configured K* [N/m] of the rows of a table. Returns the finding `sign` if all loss angles are
 /// negative, or else unit_factor, other_component or peak_to_peak; nullopt if effects may explain the ratio.
 std::optional<RigFinding> checkTable(const std::string& table, const std::vector<std::complex<double>>& measured,
                                      const std::vector<std::complex<double>>& configured,

@@ -16,7 +16,6 @@ using Mask = Eigen::Array<bool, Eigen::Dynamic, 1>;
 /// Returns the samples of a record that count.
 Mask maskOf(const log::Record& record);
 
-/// The faults of single samples of a log.
 struct Faults {
   Mask displacement;                 ///< false where the displacement was not measured
   Mask force;                        ///< false where the force was not measured
@@ -34,8 +33,8 @@ struct Faults {
 /// - a held value repeats bit by bit while the other channel moves. It ends in a jump that the other channel does not
 /// have, or it interrupts the noise of a force;
 /// - a saturated channel has many samples at its extreme value while the other channel goes further out and returns. A
-/// force is also saturated if its noise stops at this value, or if it leaves this value, unlike friction, while the
-/// displacement does not turn.
+/// force is also saturated if its noise stops at this value, or if it leaves this value while the displacement does not
+/// turn, which friction does not do.
 Faults findFaults(const std::string& name, const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
 /// Finds the faults of a log as read, before makeRecord(); masks have one entry per sample of the log.

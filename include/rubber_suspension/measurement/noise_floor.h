@@ -15,7 +15,6 @@ namespace rubber_suspension::measurement {
 /// rig. It is estimated from repeats of the same cycle if there are enough, or else from the spectrum outside the band
 /// of the motion, or else at standstill. It is at most the RMS of the residual and at least the resolution of the
 /// force. `slow_noise`: limit of the noise slower than the motion [N].
-/// is slower than the motion [N].
 double noiseFloor(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask,
                   double slow_noise = std::numeric_limits<double>::infinity());
 

@@ -37,12 +37,12 @@ struct RigFinding {
   std::string log;
   std::string finding;                             ///< one of the names above
   double value = 0.0;                              ///< size, in `unit`
-  std::array<double, 2> interval_95 = {0.0, 0.0};  ///< interval of `value`; both limits equal it if it was counted
+  std::array<double, 2> interval_95 = {0.0, 0.0};  ///< interval of `value`; both limits are `value` for a count
   std::string unit;                                ///< "1" for shares, factors and counts
   bool fatal = false;             ///< a wrong sign, unit, column or component: verdict check_bench, no effect is named
   bool beyond_tolerance = false;  ///< larger than 2 standard deviations of the rig's tolerances
   std::string text;               ///< one sentence that states evidence and correction
-  double frequency = 0.0;         ///< frequency of a line [Hz]; 0 for other findings
+  double frequency = 0.0;         ///< frequency of a spectral line [Hz]; 0 for other findings
 };
 
 /// Returns true if one of the findings is fatal.

@@ -21,7 +21,7 @@ enum class Nuisance {
   force_zero,         ///< offset of the recorded force [N]
   displacement_zero,  ///< offset of the recorded displacement [m]
   delay,              ///< delay of the recorded force relative to the displacement, in the middle of the log [s]
-  clock,              ///< growth of that delay per unit of time [-]
+  clock,              ///< growth of the delay per unit of time [-]
   gain,               ///< relative error of the recorded force, positive if too large [-]
   initial_state,  ///< force from an earlier motion [N]: first value of a decay with one relaxation time, or standard
                   ///< deviation of the prior times a share of the force after a typical motion
@@ -36,7 +36,7 @@ struct RigPoint {
 
 /// Force that the rig may add to one log, linear in the values of its errors: recorded = base + columns * values.
 struct RigColumns {
-  Eigen::VectorXd base;             ///< simulated force [N]; with a point of linearisation, less columns * point
+  Eigen::VectorXd base;             ///< simulated force [N]; with a point of linearisation, minus columns * point
   std::vector<Nuisance> nuisances;  ///< error that each column describes; initial_state may have several columns
   Eigen::MatrixXd columns;          ///< samples x nuisances [N per unit of the value]
   Eigen::VectorXd priors;           ///< standard deviation of each value
@@ -50,10 +50,10 @@ struct RigFit {
   Eigen::VectorXd correction;   ///< force that the rig adds to the simulated one [N]
   Eigen::VectorXd residual;     ///< measured minus simulated force minus `correction` [N]
   NoiseModel noise;             ///< noise of `residual`
-  double zeros_as_force = 0.0;  ///< value and standard deviation [N] if one force offset explains both offsets
+  double zeros_as_force = 0.0;  ///< force offset [N] if it alone explains both offsets, then its standard deviation
   double zeros_as_force_deviation = 0.0;
 
-  /// Returns the index of the column of an error, or -1 if the error is not free.
+  /// Returns the index of the column of an error, or -1 if the error is not fitted.
   Eigen::Index column(Nuisance nuisance) const;
 };
 
@@ -73,23 +73,23 @@ class RigModel {
 
   /// Returns columns and priors of the errors of each log, linearised at the simulated forces. `simulate` is called
   /// once with all displacements shifted by a hundredth of their range; if it is null, displacement offsets are not
-  /// free. It is also called up to four times with a motion before each log that starts in motion or displaced: the
+  /// fitted. It is also called up to four times with a motion before each log that starts in motion or displaced: the
   /// first quarter of the log, or a motion from its highest displacement, its lowest displacement, or rest. The prior
   /// of the initial state is at most the error of the simulated force in the first samples. `points`: points of
   /// linearisation.
   std::vector<RigColumns> columns(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate,
                                   const std::vector<RigPoint>& points = {}) const;
 
-  /// Fits one log by generalised least squares with priors. Each iteration estimates coloured noise from the residual
-  /// and Huber's weights; 0 iterations assume white noise of the residual's size.
+  /// Fits one log by generalised least squares with priors. Each iteration estimates coloured noise and Huber's weights
+  /// from the residual; 0 iterations assume white noise of the residual's size.
   RigFit fit(std::size_t log, const RigColumns& columns, int iterations = 2) const;
 
   /// Fits all logs, and fits them again after linearising at the values of the first fit.
   std::vector<RigFit> fitAll(const std::vector<Eigen::VectorXd>& simulated, const Simulate& simulate) const;
 
-  /// Returns the significant findings of a fit (probability of a false one 1 in 1000 per value) whose RMS force is at
-  /// least a tenth of the noise, each with its 95 % interval. If the logs cannot distinguish an offset of the force
-  /// from one of the displacement, one finding `force_zero` reports both.
+  /// Returns the findings of a fit that are significant (false for 1 of 1000 values) and whose RMS force is at least a
+  /// tenth of the noise, each with its 95 % interval. If the logs cannot distinguish an offset of the force from one of
+  /// the displacement, one finding `force_zero` reports both.
   std::vector<RigFinding> findings(std::size_t log, const RigFit& fit) const;
 
   const std::vector<gap::PreparedRecord>& records() const { return records_; }

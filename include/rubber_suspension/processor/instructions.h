@@ -6,8 +6,8 @@ namespace rubber_suspension::processor {
 /// Kinds of processors for which this code is compiled. The results are the same bit by bit.
 enum class Instructions {
   any,     ///< instructions that every processor of the architecture has
-  avx2,    ///< four numbers at once
-  avx512,  ///< eight numbers at once
+  avx2,    ///< instructions for four numbers at once
+  avx512,  ///< instructions for eight numbers at once
 };
 
 /// Returns the widest instructions of this processor, unless useAtMost() limits them.
