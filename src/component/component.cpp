@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kPathBlock = 64;  // most steps that are computed together, law after law
 
-// The number of steps computed together: a variable, or for the compiler the constant 1.
+// Number of steps for code that computes single steps: a constant for the compiler.
 using One = std::integral_constant<std::size_t, 1>;
 template <class Number, class Count>
 using Block = std::array<Number, std::is_same_v<Count, One> ? 1 : kPathBlock>;
@@ -269,7 +269,7 @@ element::ComponentForce Component::startTestPiece(double displacement, Start kin
   return force;
 }
 
-// Returns the displacement of a test piece with this force. `before`: its displacement at the beginning of the step.
+// Returns the displacement of a test piece with the law `force`. `before`: displacement at the beginning of the step.
 template <class Force>
 double Component::solveSeries(Force force, double path, double before, double guess) const {
   const double closed = solveSeriesBalance([&](double z) { return z + series_.deflection(force(z)) - path; }, guess);

@@ -45,7 +45,7 @@ using ElementList = std::vector<element::ElementDescription>;
 
 // Elements sorted by their treatment in the coupling.
 struct SortedElements {
-  ElementList along;  // separate in each direction
+  ElementList along;  // treated separately in each direction
   ElementList elastic;
   ElementList scaled;
   ElementList friction;

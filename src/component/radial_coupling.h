@@ -55,7 +55,7 @@ class RadialLaw {
 };
 
 /// Couples two directions (cylindrical) or three (spherical) with the coordinates d and radius r = |d|:
-///   - spring, Maxwell element, dashpot and springpot act separately in each direction, which is equal to a vector law;
+///   - spring, Maxwell element, dashpot and springpot act separately in each direction, as a vector law does;
 ///   - static curve, stop and radial_stiffness have the potential U = sum c_i^2 U_i(r), where c = d/r and U_i is the
 ///   potential of direction i. The radial force is the elliptic interpolation sum c_i^2 F_i(r), and a tangential force
 ///   ensures that no work is done over closed loops. If all directions have the same law, F = F(r) c. The force of a
@@ -64,8 +64,7 @@ class RadialLaw {
 ///   F_j/tau_j, and a dashpot has F_j = (c/k_0) dF_s/dt. F_s is assumed linear in time between radii at which the slope
 ///   changes, which is exact for radial motion;
 ///   - each slider of a bank has a force vector, whose magnitude is limited.
-/// Other laws are rejected. Source: elliptic interpolation as in the bushing of Adams Car, which has no tangential
-/// force.
+/// Other laws are rejected. The bushing of Adams Car uses the same interpolation without the tangential force.
 class RadialCoupling {
  public:
   using Coordinates = std::array<double, kDirections>;  // [m, rad]

@@ -13,7 +13,7 @@ struct RootSample {
 };
 
 /// Returns the root between two samples of opposite signs by the method of Anderson and Bjorck (BIT 13, 1973), a secant
-/// method that reduces the value at a sample that stays. Ends if the value or the bracket is as small as rounding.
+/// method that reduces the value of a sample that is kept. Ends if the value or the bracket is as small as rounding.
 template <class Function>
 double rootBetween(Function function, RootSample stays, RootSample latest) {
   constexpr double kRounding = 2.0 * std::numeric_limits<double>::epsilon();

@@ -150,7 +150,7 @@ void SixDirections::addCoupling(std::vector<Direction> directions, SixElements& 
   coupled_size_ += couplings_.back()->memorySize();
 }
 
-// Couples elements by the radius of the two directions perpendicular to the axis. Those directions are rectangular.
+// Couples elements by the radius in the two directions perpendicular to the axis, which have no other coupling.
 void SixDirections::coupleRadial(Direction first, SixElements& elements) {
   const std::vector<Direction> across = coupledDirections(first, Coupling::cylindrical, laws_.axis);
   SixElements radial;
@@ -235,7 +235,7 @@ SixNumbers SixDirections::ratesOf(const Place& place, const Twist& twist) const 
   return rates;
 }
 
-// Adds the forces of dashpots for the difference between rates of the twist and rates of the step.
+// Adds the forces of dashpots at the given rates, which their step did not include.
 void SixDirections::addDamping(const SixNumbers& rates, BushForce& force) const {
   for (std::size_t i = 0; i < kDirections; ++i) {
     const double added = damping_[i] * rates[static_cast<Eigen::Index>(i)];

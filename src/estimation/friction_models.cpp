@@ -69,7 +69,7 @@ Obstacle tooLossy(double k_lowest) {
           fmt::format("is less than {:.6g} N/m, the least stiffness of friction with this loss per cycle", k_lowest)};
 }
 
-// For M4 and M5. A dashpot has no force at the turning points, where the stiffness is defined: K_n = K_st + F_f0/A_n.
+// Checks M4 and M5. A dashpot has no force at the turning points, which define the stiffness: K_n = K_st + F_f0/A_n.
 std::optional<Obstacle> turningPointObstacle(const WorkingPoint& point) {
   const double k_lowest = point.k_st + point.frictionLoss() / kCoulombLossRatio;
   return point.k_n > k_lowest * (1.0 + kStiffnessMargin) ? std::nullopt : std::optional<Obstacle>(tooLossy(k_lowest));
@@ -93,7 +93,7 @@ std::complex<double> linearStiffness(const WorkingPoint& point, double frequency
 double peakStiffness(std::complex<double> linear, double u, double friction_stiffness /* F_f0/A */) {
   const double mu = settledMu(u);
   const auto minus_force = [&](double phase) {
-    const double way = u * 0.5 * (1.0 + std::cos(phase));  // relative to the reference point, over z2 (1 + mu0)
+    const double way = u * 0.5 * (1.0 + std::cos(phase));  // displacement from the reference point, over z2 (1 + mu0)
     const double friction = friction_stiffness * (-1.0 + (1.0 / mu + 1.0) * way / (1.0 + way));
     return -(linear.real() * std::cos(phase) + linear.imag() * std::sin(phase) + friction);
   };

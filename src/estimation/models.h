@@ -1,5 +1,5 @@
-// The functions of each family of models: the reason why a specification has no solution, and the elements if it has
-// one.
+// The functions of each family of models: the reason why a specification has no solution, or the elements of the
+// solution.
 #pragma once
 
 #include <complex>
@@ -38,11 +38,11 @@ Specification tangentOf(Model model, const Specification& specification);
 bool isSolvable(Model model, const Specification& specification);
 
 /// Returns the elements of a model with its static curve instead of the spring. If the curve scales, Maxwell elements
-/// and dashpots are proportional to its slope, relative to that at the working point [m].
+/// and dashpots are proportional to the slope of the curve, relative to the slope at the working point [m].
 std::vector<element::ElementDescription> alongCurve(const StaticCurve& curve, double nominal_displacement,
                                                     std::vector<element::ElementDescription> elements);
 
-/// Returns the curve as an element without memory.
+/// Returns an element with the force of the curve.
 element::ElementDescription springOf(const StaticCurve& curve);
 
 /// Returns K*(f) [N/m] of the elements of a linear model at a frequency [Hz].

@@ -25,7 +25,7 @@ constexpr double kEndMargin = 1e-6;
 // Steps of the scan for the f_h that gives the loss angle.
 constexpr int kBandSteps = 60;
 
-// The inputs, each looked up once.
+// The inputs of the specification, which are looked up only once.
 struct Inputs {
   const Specification& specification;  // for inputs that are used once, and for messages
   double static_stiffness;
@@ -109,7 +109,7 @@ bool embraces(const std::vector<double>& break_frequencies, double frequency) {
          frequency < break_frequencies.back() * (1.0 - kBandMargin);
 }
 
-// Solution for the quantities of Eqs. 17 to 19.
+// Solved values of the quantities in Eqs. 17 to 19.
 struct Solution {
   double high_frequency;
   std::vector<double> break_frequencies;
@@ -152,7 +152,7 @@ double alphaForStiffness(const Inputs& inputs, const std::vector<double>& break_
   return std::exp(root);
 }
 
-// Returns the loss angle at f_n of the model with this f_h that meets K_n and K_max.
+// Returns the loss angle at f_n of the model with the given f_h that meets K_n and K_max.
 double angleForBand(const Inputs& inputs, double high_frequency) {
   const double k_st = inputs.static_stiffness;
   const std::vector<double> break_frequencies = breakFrequencies(inputs, high_frequency);
@@ -161,8 +161,8 @@ double angleForBand(const Inputs& inputs, double high_frequency) {
   return std::arg(k_st + (inputs.maximum_stiffness.value() - k_st) * relativeStiffness(alpha, of_each));
 }
 
-// Returns true if the band contains the working point, or if the user gives no f_l: a low frequency from Eq. 22 only
-// places the elements, whose break frequencies decide whether they can meet the working point.
+// Returns true if f_n lies below f_h and, if the user gives f_l, above f_l. An f_l from Eq. 22 only places the
+// elements, whose break frequencies decide whether they can meet the working point.
 bool bandIsOrdered(const Inputs& inputs, double high_frequency) {
   const double f_n = inputs.nominal_frequency;
   return f_n < high_frequency && (!inputs.low_frequency.has_value() || inputs.low_frequency.value() < f_n);

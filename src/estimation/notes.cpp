@@ -39,7 +39,7 @@ void warnOfSoftness(std::vector<std::string>& warnings, const Specification& spe
   }
 }
 
-// States the stiffness at f_h, as a data sheet does; K_max is the limit at infinite frequency.
+// Returns a note with the stiffness at f_h, which a data sheet states; K_max is the limit at infinite frequency.
 std::string highFrequencyNote(const Specification& specification, double high_frequency) {
   const double stiffness = std::abs(stiffnessAt(estimateTangent(Model::multi_maxwell, specification), high_frequency));
   const WrittenUnit unit = specification.writtenUnit("maximum_stiffness");

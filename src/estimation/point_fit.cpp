@@ -42,7 +42,7 @@ class PointFit {
     for (const FitNumber& number : numbers_) {
       combinations *= number.starts.size();
     }
-    constexpr double kStep = 1e-6;  // loops are settled to 1e-9
+    constexpr double kStep = 1e-6;  // step of the logarithms; loops are settled to 1e-9
     numerics::DifferencedSquares misfit([this](const Eigen::VectorXd& x) { return residuals(x); }, kStep);
     residuals(start(0));  // throws if the component itself is rejected
     numerics::Optimum best{{}, std::numeric_limits<double>::infinity()};

@@ -14,7 +14,7 @@ namespace rubber_suspension::estimation {
 namespace {
 
 struct ScanDensity {
-  double decades;              // range of the scan on either side of the given value
+  double decades;              // decades on either side of the given value
   int points_per_decade;       // per decade of the scan
   int near_points_per_decade;  // per decade of the distance to another input of the same unit
   double tolerance;            // relative error of a limit

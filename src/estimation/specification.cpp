@@ -504,7 +504,7 @@ WrittenUnit Specification::writtenUnit(std::string_view name) const {
 
 std::optional<Obstacle> ratioObstacle(const Specification& specification) {
   const double k_st = specification.valueOr("static_stiffness", HUGE_VAL);
-  // The numbers of a base may be a small part of the numbers of the component.
+  // The numbers of a base may be an arbitrarily small part of the numbers of the component.
   if (specification.describes() == Describes::base) {
     return std::nullopt;
   }

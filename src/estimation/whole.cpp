@@ -90,7 +90,7 @@ class Whole {
            });
   }
 
-  // Throws Unsolvable. `thorough`: scans the range if secants fail.
+  // Returns the base; throws Unsolvable if there is none. `thorough`: scans the range if secants fail.
   Specification solve(bool thorough) const {
     if (const std::optional<Obstacle> obstacle = ratioObstacle(given_)) {
       throw Unsolvable{*obstacle, {}};

@@ -47,7 +47,7 @@ void addForces(const std::vector<gap::PreparedRecord>& records, Excitation& resu
 double largestRadius(const std::vector<gap::PreparedRecord>& records) {
   constexpr double kLeastApart = 0.2;  // share of the axial motion
   double largest = 0.0;
-  double squares = 0.0;  // of the part that does not follow the axial motion
+  double squares = 0.0;  // sum of squares of the part that does not follow the axial motion
   double own = 0.0;
   for (const log::Record& record : records) {
     if (record.across.size() == 0) {

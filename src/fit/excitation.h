@@ -26,7 +26,7 @@ struct Excitation {
   /// Dead band [m] for laws that small reversals change permanently: larger than the noise of a constant displacement.
   double dead_band = 0.0;
   std::size_t whole_logs = 0;        ///< number of logs; 0 if any is an excerpt
-  gap::OwnErrors own;                ///< errors of the rig that any log has separately
+  gap::OwnErrors own;                ///< errors of the rig that are separate in at least one log
   bool has_temperature = false;      ///< true if all logs have a temperature
   double lowest_temperature = 0.0;   ///< [degC]
   double highest_temperature = 0.0;  ///< [degC]
@@ -43,7 +43,7 @@ Excitation summarise(const std::vector<gap::PreparedRecord>& records);
 /// Returns the force of a mass of 1 kg that moves with the displacement [N], by central differences.
 Eigen::VectorXd acceleration(const log::Record& record);
 
-/// Returns the filter bandwidth [Hz] with which an inertia on recorded displacement has the least error; 0: no filter.
+/// Returns the filter bandwidth [Hz] with which an inertia on recorded displacement has the least error (0: no filter).
 double massBandwidth(const std::vector<gap::PreparedRecord>& records, double highest_frequency);
 
 }  // namespace rubber_suspension::fit

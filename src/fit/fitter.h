@@ -27,8 +27,8 @@ class Fitter final : public HypothesisFitter {
   const LogBlocks& blocks() const { return *blocks_; }
   double gapOf(const Hypothesis& hypothesis, const gap::Forces& forces) const override;
 
-  /// Finds unit effects of the candidates (findUnitEffects()) and their products, so that fits do not repeat this, and
-  /// sets BasisTerm::depends_on_place. No fit may run at the same time.
+  /// Finds unit effects of the candidates (findUnitEffects()) and their products, so that fits need not compute them,
+  /// and sets BasisTerm::depends_on_place. No fit may run at the same time.
   void prepare(std::vector<Candidate>& candidates, int threads);
 
   /// Adds a displacement offset of each log to the parameters of the fit if the force of the hypothesis depends on it
@@ -37,7 +37,7 @@ class Fitter final : public HypothesisFitter {
 
   void freeFactors(const ParameterVector& parameters, Hypothesis& hypothesis) const override;
 
-  /// Returns the factor on the friction of each log at a parameter vector; empty if the factors are not free.
+  /// Returns the factor on the friction of each log at a parameter vector; empty if the factors are not fitted.
   std::vector<double> factors(Hypothesis hypothesis, const ParameterVector& parameters) const;
 
  private:

@@ -108,7 +108,7 @@ Unknown unknownOf(std::size_t position, const element::ParameterInfo& parameter,
   return unknown;
 }
 
-// Returns the unknown parameters of an element. If none is fixed, those that scale its force are linear.
+// Returns the unknown parameters of an element. Those that scale its force are linear, unless one of them is fixed.
 std::vector<Unknown> unknownsOf(std::size_t position, const element::ElementDescription& element,
                                 const std::vector<std::string>& held, const LogScales& scales) {
   std::vector<Unknown> unknowns;
@@ -193,7 +193,7 @@ void ForceModel::addElement(std::size_t position, const std::vector<Unknown>& un
   }
 }
 
-// The forces of the rig's errors do not depend on the parameters.
+// The columns of the rig's errors are set only once, because they do not depend on the parameters.
 void ForceModel::makeColumns(const std::vector<Eigen::MatrixXd>& rig) {
   Eigen::Index column = static_cast<Eigen::Index>(linear_.size()) + 1;
   const Eigen::Index end =

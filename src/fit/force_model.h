@@ -23,13 +23,13 @@ struct Reach {
 
 /// An unknown parameter, with its range in search coordinates.
 struct Unknown : Reach {
-  std::size_t element;  ///< index of its element
+  std::size_t element;  ///< index of the parameter's element
   std::string name;
   std::string unit;
   double given;
   bool logarithmic;  ///< the search coordinate is ln(value) if true, value/scale if false
   double scale;      ///< 1 if logarithmic
-  bool linear;       ///< it scales a force, and so do all fixed parameters of its element not
+  bool linear;       ///< true if it scales a force and no fixed parameter of its element does so
 
   double toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
   double toValue(double search) const { return logarithmic ? std::exp(search) : search * scale; }
@@ -86,17 +86,17 @@ class ForceModel final : public numerics::SumOfSquares {
   /// Returns all columns: measured minus unscaled force, the basis, the residual, and the derivatives.
   const Eigen::MatrixXd& columns() const { return columns_; }
   Eigen::MatrixXd takeColumns() { return std::move(columns_); }  ///< the object cannot be used afterwards
-  /// Selects from the products of all columns those of the derivatives with respect to the search coordinates, and then
-  /// with respect to relative changes of the coefficients (absolute changes where they are 0).
+  /// Returns the part of the `products` of all columns that belongs to the parameters: derivatives with respect to
+  /// search coordinates, then to relative changes of the coefficients (absolute changes where a coefficient is 0).
   static Eigen::MatrixXd ofParameters(const ModelFit& fit, const Eigen::MatrixXd& products);
 
  private:
   // Elements that are simulated together, for one column of the basis or for the unscaled force.
   struct Part {
     std::vector<element::ElementDescription> elements;  // one element, or all if they affect each other
-    std::vector<Eigen::Index> unknowns;                 // nonlinear parameters on which it depends
+    std::vector<Eigen::Index> unknowns;                 // nonlinear parameters on which the part depends
     Eigen::Index column = -1;                           // index in the basis; -1 for the unscaled force
-    Eigen::VectorXd values = {};                        // values of these parameters when last simulated
+    Eigen::VectorXd values = {};                        // values of the parameters when the part was last simulated
     bool simulated = false;
     Eigen::VectorXd force = {};  // unscaled force
   };
@@ -117,7 +117,7 @@ class ForceModel final : public numerics::SumOfSquares {
   Elements elementsAt(const Part& part, const Eigen::VectorXd& values) const;
   void simulate(const std::vector<Simulation>& simulations);
   void simulate(const Simulation& simulation);
-  /// Simulates the parts whose unknowns have changed.
+  /// Simulates the parts whose parameters have changed.
   void evaluate(const Eigen::VectorXd& search);
 
   std::vector<element::ElementDescription> elements_;
@@ -130,7 +130,7 @@ class ForceModel final : public numerics::SumOfSquares {
   std::vector<Part> parts_;
   Eigen::MatrixXd columns_;   // columns()
   Eigen::VectorXd all_;       // force at all samples; empty if all are compared
-  Eigen::MatrixXd moved_;     // forces at varied parameters, of further parts that depend on the same parameter
+  Eigen::MatrixXd moved_;     // forces at a varied parameter, for all further parts that depend on it
   ModelFit last_;             // result of the last call of at()
   Eigen::MatrixXd products_;  // products of the basis at last_
   std::vector<double> dt_;    // time step of each log [s]; empty unless all have even steps and are compared throughout

@@ -49,27 +49,27 @@ struct PerLogNuisances {
             one.by_zero ? other.by_zero : nullptr, one.by_factor ? other.by_factor : nullptr};
   }
 
-  /// Returns the indices of these parameters among those of `all`, which has to contain them.
+  /// Returns the indices of this object's parameters among the parameters of `all`, which has to contain them.
   std::vector<Eigen::Index> placesIn(const PerLogNuisances& all) const;
-  /// Returns the index of the factor on friction among these parameters, if it is one of them.
+  /// Returns the index of the factor on friction among the parameters, provided that the factor is fitted.
   Eigen::Index placeOfFactor() const { return count() - (gain ? 1 : 0) - (offset ? 1 : 0) - 1; }
   Eigen::Index placeOfOffset() const { return count() - (gain ? 2 : 1); }
   Eigen::Index placeOfGain() const { return count() - 1; }
 
-  /// Returns the columns [N] of the least-squares system for these parameters over the samples of a log with index
-  /// `place`. `simulated`: force of the model on this log, which is the column of a gain.
+  /// Returns the columns [N] of the least-squares system for the nuisance parameters over the samples of a log with
+  /// index `place`. `simulated`: force of the model on this log, which is the column of a gain.
   Eigen::MatrixXd columns(const log::Record& record, std::size_t place, const Eigen::VectorXd& simulated) const;
 
   /// Returns the error, relative to the force, that counts as much as one unit of each parameter; 0 without a prior.
-  /// Half cosines have the prior of a random walk with the default tolerance of offsets, or they would predict nothing
-  /// between the samples of the fit. Those above half of the motion's lowest frequency are excluded.
+  /// Half cosines have the prior of a random walk with the default tolerance of offsets, because otherwise they predict
+  /// nothing between the samples of the fit. Those above half of the motion's lowest frequency are excluded.
   Eigen::VectorXd costs(const gap::PreparedRecord& record) const;
 
   /// Returns columns() and the squared costs as a penalty [N^2].
   gap::OwnUnknowns unknowns(const gap::PreparedRecord& record, std::size_t place,
                             const Eigen::VectorXd& simulated) const;
 
-  /// Returns the record with these parameters added to the errors of its rig (gap::PreparedRecord::withoutRig).
+  /// Returns the record with the nuisance parameters added to the errors of its rig (gap::PreparedRecord::withoutRig).
   gap::PreparedRecord addedTo(const gap::PreparedRecord& record, std::size_t place,
                               const Eigen::VectorXd& simulated) const;
 };

@@ -56,25 +56,25 @@ struct Candidate {
   std::string documentation;  ///< one sentence on the effect and its signature
   bool on_rig = false;        ///< true for an effect of the rig, not of the rubber
   std::vector<BasisTerm> terms;
-  /// Effects that are limits of its law. A hypothesis also has the terms of one of them.
+  /// Effects that are limiting cases of the law. A hypothesis also has the terms of one of them.
   std::vector<std::string> contains = {};
   /// Number of terms that one law needs; each further nonzero term counts as a parameter. 0 if any number is one law.
   std::size_t terms_of_one = 0;
-  PerLogNuisances free_in_log = {};  ///< nuisance parameters that are fitted with it
-  bool one_form = false;     ///< its law has a single form, as that of a mass; other laws approximate the true one
-  bool constant = false;     ///< adds a constant force, which has no form error
-  bool is_friction = false;  ///< may have a separate factor in each log
-  /// Equivalent to a factor on all model parameters, from which it alone cannot be distinguished. It competes with
-  /// other effects only if gains differ between logs.
+  PerLogNuisances free_in_log = {};  ///< nuisance parameters that are fitted with the candidate
+  bool one_form = false;     ///< true if the law has one form, such as a mass; other laws only approximate the true law
+  bool constant = false;     ///< true if it adds a constant force, which has no form error
+  bool is_friction = false;  ///< true if friction may have a separate factor in each log
+  /// True if the effect is equivalent to a factor on all model parameters. It then competes with other effects only if
+  /// gains differ between logs.
   bool like_parameters = false;
 
-  /// Returns the terms for a value of a shape parameter, on which the force depends nonlinearly; null without one.
+  /// Returns the terms for a value of a shape parameter, on which the force depends nonlinearly; null without a shape.
   std::function<std::vector<BasisTerm>(double)> terms_at = nullptr;
   double least_shape = 0.0;
   double largest_shape = 0.0;
   /// Returns terms of a law along a curve, which replace `terms` and have one more parameter; null if there are none.
   std::function<std::vector<BasisTerm>(const Curve&)> along = nullptr;
-  std::vector<BasisTerm> curved = {};  ///< terms along the best curve; empty if no curve justifies its parameter
+  std::vector<BasisTerm> curved = {};  ///< terms along the best curve; empty if no curve justifies a further parameter
   /// Further laws of few parameters, at points where fits may start. After the verdict one of these laws, or a few of
   /// the terms, represents the effect.
   std::vector<BasisTerm> laws = {};
@@ -107,18 +107,18 @@ struct Hypothesis {
   std::vector<TermPlace> places;  ///< candidate and index of each term
   /// Number of terms of each candidate, including terms that it contains, but without terms of an earlier candidate.
   std::vector<std::size_t> counts;
-  std::vector<int> held;        ///< contained candidates whose terms it also has
+  std::vector<int> held;        ///< contained candidates whose terms the hypothesis also has
   std::vector<int> curved;      ///< candidates, including contained ones, whose terms follow a curve
   PerLogNuisances free_in_log;  ///< nuisance parameters that are fitted, too
-  /// Returns the entries of a law as a function of all scales. Terms without an entry of their own are its parameters.
-  /// Null if there is none.
+  /// Returns the entries of a law as a function of all scales; null without a law. Terms without an entry of their own
+  /// are parameters of this law.
   std::function<std::vector<element::ElementDescription>(const Eigen::VectorXd& scales)> law;
-  bool like_parameters = false;  ///< changes of model parameters can replace its terms
+  bool like_parameters = false;  ///< true if changes of model parameters can replace the terms
 
-  /// Returns true if it has terms that changes of model parameters cannot replace.
+  /// Returns true if the hypothesis has terms that changes of model parameters cannot replace.
   bool competes() const { return !terms.empty() && (!like_parameters || free_in_log.gain); }
 
-  /// Returns true if the model parameters keep their configured values, because the terms replace changes of them.
+  /// Returns true if model parameters keep their configured values, because the terms replace changes of parameters.
   bool keepsParameters() const { return !terms.empty() && like_parameters && !free_in_log.gain; }
 
   /// Returns true if the force is the force of the model plus the forces of the terms.
@@ -126,7 +126,7 @@ struct Hypothesis {
 };
 
 /// Returns the hypothesis with the candidates `members`. If a candidate contains several laws, it extends only one of
-/// them, preferably the first of `preferred`. Otherwise it would be no simpler than all of them together. `curved`:
+/// them, preferably the first of `preferred`. Otherwise it would be no simpler than all these laws together. `curved`:
 /// candidates that follow the curve.
 Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
                           const std::vector<int>& preferred = {}, const std::vector<int>& curved = {});
@@ -150,7 +150,7 @@ struct ParameterVector {
   Eigen::VectorXd model;   ///< logarithms of the model parameters over their configured values
   Eigen::VectorXd scales;  ///< scales of the hypothesis' basis terms
 
-  /// Returns the largest magnitude among the logarithms of the model parameters' ratios.
+  /// Returns the largest magnitude of an element of `model`.
   double largestChange() const { return model.size() > 0 ? model.cwiseAbs().maxCoeff() : 0.0; }
 };
 

@@ -10,9 +10,9 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kEnoughGain = 1e-3;       // share of the gap that a further step has to gain
-constexpr double kSlow = 0.2;              // share of the required reduction, of which a fit would need five steps
-constexpr int kMostHalvings = 6;           // of a step that does not reduce the cost
+constexpr double kEnoughGain = 1e-3;  // smallest relative reduction of the gap for a further step
+constexpr double kSlow = 0.2;     // share of the reduction still needed; with less per step a fit needs over five steps
+constexpr int kMostHalvings = 6;  // halvings of a step that does not reduce the cost
 constexpr double kNegligibleScale = 1e-9;  // share of the typical scale; a term of a smaller scale is omitted
 
 // Returns the mean offset (or gain) of the logs that the parameters do not explain. `of_columns`: the mean offset of
@@ -197,7 +197,7 @@ Fit HypothesisFitter::fit(const Hypothesis& hypothesis, const ParameterVector& s
     result.blocks.push_back({errors[b], blocks.weight[b], blocks.record[b]});
     held_out += errors[b] * blocks.weight[b];
   }
-  // Held-out errors are smaller than those of the fit only by chance. They are then raised to the errors of the fit.
+  // Held-out errors below those of the fit are due to chance, and are raised to the errors of the fit.
   if (const double fitted = result.gap * result.gap; limits.about_its_end && held_out > 0.0 && held_out < fitted) {
     for (gap::PartError& block : result.blocks) {
       block.error *= fitted / held_out;

@@ -24,7 +24,7 @@ struct Fit {
   double departure = 0.0;    ///< `chi_squared` expressed as a gap
   /// Gap on blocks that were held out of the fit, by cross validation.
   double held_out = std::numeric_limits<double>::infinity();
-  std::vector<gap::PartError> blocks;  ///< held-out errors of these blocks
+  std::vector<gap::PartError> blocks;  ///< held-out error of each block
 
   /// Returns held-out gap and departure combined. Fits are compared by this value.
   double score() const { return std::hypot(held_out, departure); }
@@ -33,10 +33,9 @@ struct Fit {
 /// Largest change of the logarithm of a model parameter in one step; in a longer one the force is far from linear.
 constexpr double kLongestStep = 0.4;
 
-/// Termination of a fit.
 struct FitLimits {
   int iterations = 0;
-  /// The fit ends if even its linearisation predicts a larger gap.
+  /// The fit ends if even a linearised step predicts a larger gap.
   double reach = std::numeric_limits<double>::infinity();
   std::vector<bool> active = {};  ///< terms that may change in the first step; empty for all
   /// The fit ends if its steps are too small to reach this gap.
@@ -84,7 +83,7 @@ class HypothesisFitter {
   Fit fitAlone(const FitLimits& limits) const;
 
   /// Fits only the scales: model parameters are kept, and no nuisance parameter is fitted. In the first step, terms
-  /// that refine are also kept.
+  /// with BasisTerm::refines are also kept.
   ParameterVector scalesAlone(const Hypothesis& hypothesis, const ParameterVector& start, int iterations) const;
 
   /// Returns the gap at a parameter vector, without a fit; infinite if the model has no solution there.
@@ -106,10 +105,9 @@ class HypothesisFitter {
  protected:
   HypothesisFitter(const ModelParameters& model, double one_deviation) : model_(model), one_deviation_(one_deviation) {}
 
-  /// Options of a linearisation.
   struct Linearised {
-    std::vector<bool> active;           ///< terms whose columns are computed, others are 0; empty for all
-    std::vector<PerLogNuisances> free;  ///< nuisance parameters of each log; one result per entry
+    std::vector<bool> active;           ///< terms whose columns are computed (empty: all); other columns are 0
+    std::vector<PerLogNuisances> free;  ///< nuisance parameters of each log; each entry gives one result
     Kept kept;
     int threads;
   };

@@ -58,7 +58,7 @@ std::optional<std::vector<element::ElementDescription>> lawOf(const Hypothesis& 
   }
 }
 
-// Returns records with the displacement behind the elements of `path`, which is the force of a spring of 1 N/m there.
+// Returns records with the displacement behind the elements of `path`, computed as the force of a spring of 1 N/m.
 std::vector<gap::PreparedRecord> displacedBy(std::vector<element::ElementDescription> path,
                                              const std::vector<gap::PreparedRecord>& records) {
   path.push_back({"spring", {{"stiffness", {1.0}}}});

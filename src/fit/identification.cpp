@@ -31,7 +31,7 @@ constexpr std::size_t kFewestCompared = 50;  // samples
 constexpr double kTail = 0.025;              // probability on either side of a 95 % interval
 constexpr double kDeadBandInStandardDeviations = 6.0;
 constexpr double kSmallestDeadBand = 1e-6;  // relative to the amplitude; a smaller one is rounding, not noise
-constexpr double kSameResidual = 1e-4;      // relative difference below which starts ended at the same optimum
+constexpr double kSameResidual = 1e-4;      // two starts with a smaller relative difference ended at the same optimum
 
 void checkLog(const log::Log& log, std::size_t number) {
   const std::size_t size = log.stamp.size();
@@ -169,7 +169,7 @@ IdentifiedParameter identified(const Unknown& unknown, double value, double stan
   if (unknown.logarithmic && value > 0.0) {
     result.lower = value * std::exp(-reach);
     result.upper = value * std::exp(reach);
-  } else if (unknown.logarithmic) {  // value 0: the standard deviation is in units of the given value
+  } else if (unknown.logarithmic) {  // the value is 0; the standard deviation is in units of the given value
     result.upper = reach * unknown.given;
   } else {
     const double unit = unknown.linear && value != 0.0 ? std::abs(value) : unknown.scale;

@@ -32,7 +32,7 @@ using element::ElementDescription;
 
 constexpr double kPerDecade = 2.0;  // elements per decade; they approximate a springpot to 2e-4
 constexpr double kBeyond = 1.5;     // decades of elements beyond those of the rows
-constexpr double kScan = 0.25;      // decades between coldest and warmest rows by which starts of the search differ
+constexpr double kScan = 0.25;      // step between starts of the search, in decades from coldest to warmest rows
 constexpr double kStep = 1e-4;      // step of difference quotients, in decades and logarithms
 constexpr double kNear = 0.1;       // relative to the amplitude; benches control amplitudes more closely
 
@@ -85,8 +85,7 @@ VectorXd ladder(Decades range, double per_decade) {
   return VectorXd::LinSpaced(steps + 1, range.low, range.high);
 }
 
-// Returns K* of a spring (first column) and of Maxwell elements, all of 1 N/m, over |K*| of rows: real, then imaginary
-// parts.
+// Returns K* of a spring and of Maxwell elements of 1 N/m (columns) over |K*| of the rows: real, then imaginary parts.
 Eigen::MatrixXd basisOf(const VectorXd& decades, const VectorXd& scale, const VectorXd& breaks) {
   const Eigen::Index rows = decades.size();
   Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(2 * rows, breaks.size() + 1);
@@ -144,7 +143,7 @@ std::vector<Group> groupsOf(const std::vector<TablePoint>& points) {
 // log10 a_T (shift of frequency) and ln b_T (shift of stiffness) of each row.
 using Moves = Eigen::MatrixX2d;
 
-// Returns the shifts of the rows as a function of a few parameters. Throws std::invalid_argument if there are none.
+// Returns the shifts of the rows as a function of a few parameters. Throws std::invalid_argument if no shifts exist.
 using Shifting = std::function<Moves(const VectorXd& unknowns)>;
 
 struct Shifted {
@@ -153,7 +152,7 @@ struct Shifted {
   Moves moves;
   double misfit = 0.0;       // RMS over the rows
   double information = 0.0;  // Bayesian information criterion
-  bool inside = true;        // no parameter is at its limit
+  bool inside = true;        // true if no parameter is at its limit
 };
 
 class Superposition {
@@ -218,7 +217,7 @@ class Superposition {
     Decades frequencies;
   };
 
-  // Returns the activation energy [J/mol] for decades between the coldest and the warmest rows.
+  // Returns the activation energy [J/mol] for a shift by `decades` between the coldest and the warmest rows.
   double energyOf(double decades) const {
     return decades * std::log(10.0) * element::kGasConstant /
            (inverseOf(levels_.front().temperature) - inverseOf(levels_.back().temperature));
@@ -245,7 +244,7 @@ class Superposition {
   }
 
   // Returns the largest Arrhenius shift, in decades from coldest to warmest, with which frequencies of neighbouring
-  // temperatures overlap. Beyond it the curves do not meet, so that any shift fits.
+  // temperatures overlap. Beyond this shift the curves do not meet, so that any shift fits.
   double largestShift() const {
     const double whole = inverseOf(levels_.front().temperature) - inverseOf(levels_.back().temperature);
     double largest = std::numeric_limits<double>::infinity();
@@ -382,7 +381,7 @@ class Superposition {
     return static_cast<std::size_t>(std::min_element(levels_.begin(), levels_.end(), nearer) - levels_.begin());
   }
 
-  // Shifts each temperature separately; the middle one keeps the shift of the law. `vertically`: b_T is fitted, too.
+  // Shifts each temperature separately, except the middle one, which the law shifts. `vertically`: b_T is fitted, too.
   Shifted byThemselves(const Moves& by_law, bool vertically) const {
     constexpr double kFar = 1.5;   // limit in decades
     constexpr double kMost = 0.7;  // limit of ln b_T

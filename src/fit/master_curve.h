@@ -27,7 +27,7 @@ struct FoundShift {
 struct ShiftConstant {
   std::string name;  ///< key of the law
   double value = 0.0;
-  double deviation = 0.0;  ///< standard deviation of its logarithm
+  double deviation = 0.0;  ///< standard deviation of the constant's logarithm
 };
 
 struct MasterCurve {
@@ -49,8 +49,7 @@ struct MasterCurve {
 /// Ferry. Returns the law with the lower Bayesian information criterion, or Arrhenius' law if a constant of the other
 /// law is at its limit. Rows of other amplitudes or mean displacements have their own series and the same shifts. The
 /// vertical shift b_T is 1. Standard deviations follow from the misfit and the correlation of neighbouring rows. Throws
-/// std::invalid_argument if shifted frequencies of neighbouring temperatures do not overlap, because they then
-/// determine no shift.
+/// std::invalid_argument if frequencies of neighbouring temperatures do not overlap after the shift.
 /// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
 MasterCurve masterCurve(const std::vector<TablePoint>& points, double reference /* T_0 [degC] */);
 
@@ -72,7 +71,7 @@ std::vector<TablePoint> reducedBy(const element::ElementDescription& law, std::v
 
 /// Kinds of series that are fitted to rows of one temperature.
 enum class Series {
-  prony,      ///< a spring and a Maxwell element per decade, if its stiffness is not 0
+  prony,      ///< a spring and one Maxwell element per decade, without those of stiffness 0
   springpot,  ///< a spring and a springpot
 };
 

@@ -43,10 +43,9 @@ class ModelParameters {
   Eigen::Index size() const { return static_cast<Eigen::Index>(names_.size()); }
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Returns bounds on |logarithm| of the parameters. Specified numbers vary by a factor of 3, beyond which it is
-  /// another component. Values of single elements, which can replace each other, vary by 10. Two standard deviations
-  /// apply if more. Numbers that no data sheet states directly (alpha, relaxing stiffness, break frequency, damping)
-  /// vary by 100.
+  /// Returns bounds on |logarithm| of the parameters. Numbers of the specification vary by a factor of 3, values of
+  /// elements, which can replace each other, by 10, or both by two standard deviations if that is more. Numbers that no
+  /// data sheet states directly (alpha, relaxing stiffness, break frequency, damping) vary by at least 100.
   const Eigen::VectorXd& bounds() const { return bounds_; }
 
   /// Returns the largest factor by which a number of the data sheet may be wrong: two standard deviations of the least
@@ -76,7 +75,7 @@ class ModelParameters {
   /// Returns the component for these logarithms of ratios. Throws std::invalid_argument if there is none.
   io::ComponentDescription apply(const Eigen::VectorXd& logarithms) const;
 
-  /// Returns its elements; nullopt if the specification has no solution or an element rejects its parameters.
+  /// Returns the elements of this component; nullopt if there is no solution or an element rejects its parameters.
   std::optional<std::vector<element::ElementDescription>> elements(const Eigen::VectorXd& logarithms) const;
 
   /// Returns the changes that the user would have to write: the ratio of new to old value for every number that differs
@@ -89,7 +88,7 @@ class ModelParameters {
   struct Relaxation {
     double static_stiffness = 0.0;
     double relaxing_stiffness = 0.0;  // sum of the stiffnesses of the Maxwell elements
-    double alpha = 1.0;               // k_i/k_(i+1), of neighbouring elements
+    double alpha = 1.0;               // ratio k_i/k_(i+1) of the stiffnesses of neighbouring elements
     double break_frequency = 0.0;     // break frequency of the fastest element
     double band_ratio = 1.0;          // ratio q of neighbouring break frequencies
     double damping = 0.0;             // coefficient of the dashpot

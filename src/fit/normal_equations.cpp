@@ -17,15 +17,14 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kCyclesPerBlock = 4.0;  // cycles of the mean frequency; residuals are correlated over shorter times
+constexpr double kCyclesPerBlock = 4.0;  // cycles per block; residuals are correlated over shorter times
 constexpr double kMostBlocks = 24.0;
 constexpr double kFewestBlocks = 8.0;
 constexpr double kBlocksOfAll = 480.0;  // blocks of all logs; many logs predict each other, so that each needs fewer
-constexpr double kBlocksOfOne = 2.0;  // blocks of one log; one determines the log's parameters, the other has the error
+constexpr double kBlocksOfOne = 2.0;    // blocks of one log; one determines the log's parameters, one gives the error
 
 using Places = std::vector<Eigen::Index>;
 
-// Initialises sums with zeros.
 void prepare(Eigen::Index width, Kept kept, const PerLogNuisances& free, BlockGrams& result) {
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(width, width);
   result.prior = result.sum = none;

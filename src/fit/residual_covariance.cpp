@@ -12,7 +12,7 @@ namespace {
 
 constexpr Eigen::Index kLargestOrder = 30;
 constexpr double kRankTolerance = 1e-12;  // relative eigenvalue of J'J, scaled to correlation form
-constexpr double kPartInUnseen = 1e-3;    // of a direction of length 1
+constexpr double kPartInUnseen = 1e-3;    // component of a direction of length 1
 
 // Returns the autocovariances at lags 0 to `lags`, from products within runs only.
 Eigen::VectorXd autocovariances(const Eigen::Ref<const Eigen::VectorXd>& residuals,

@@ -8,7 +8,7 @@
 namespace rubber_suspension::fit {
 
 /// Standard deviation of ln(value) for which the 95 % interval extends by a factor of 2 to either side. A parameter
-/// with a smaller standard deviation is determined.
+/// with a smaller standard deviation counts as determined.
 inline const double kUndetermined = std::log(2.0) / 1.96;
 
 /// Covariance of estimates in the coordinates of a Jacobian.
@@ -16,7 +16,7 @@ struct Covariance {
   Eigen::MatrixXd matrix;
   std::vector<Eigen::VectorXd> unseen;  ///< directions on which the measurement does not depend
 
-  /// Returns infinity if an undetermined direction contributes to the estimate.
+  /// Returns the standard deviation of an estimate; infinity if an undetermined direction contributes to it.
   double standardDeviation(Eigen::Index estimate) const;
 };
 

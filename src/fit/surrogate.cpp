@@ -25,9 +25,9 @@ constexpr double kWidestStop = 0.7;        // share of the stroke; wider stops h
 constexpr double kNarrowestStop = 0.02;    // share of the stroke
 constexpr double kNoiseInStop = 6.0;       // dead band in standard deviations of the sensor's noise
 constexpr double kLowestResonance = 0.2;   // share of the highest frequency of the motion
-constexpr double kHighestResonance = 1.3;  // share of the same frequency; the motion does not excite higher ones
+constexpr double kHighestResonance = 1.3;  // share of the highest frequency; the motion excites no higher resonances
 constexpr double kFewerFunctionsBetter = 0.95;  // ratio of errors below which more functions are preferred
-constexpr std::size_t kFewestLogs = 3;          // with at least as many, each log is held out in turn
+constexpr std::size_t kFewestLogs = 3;          // with this number of logs or more, each log is held out in turn
 constexpr std::array<double, 8> kRidges = {1e-7, 1e-6, 1e-5, 1e-4,
                                            1e-3, 1e-2, 1e-1, 1.0};  // share of a function's mean square
 
@@ -92,7 +92,6 @@ std::vector<ForceColumn> columnsOf(const std::vector<Eigen::MatrixXd>& functions
   return columns;
 }
 
-// A choice of functions and of the ridge.
 struct Choice {
   std::vector<Eigen::Index> functions;
   double ridge = 0.0;

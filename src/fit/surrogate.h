@@ -17,11 +17,10 @@ struct UnseenBlock {
   double after = 0.0;   ///< error with a surrogate that was fitted without the block
 };
 
-/// A fitted surrogate.
 struct SurrogateFit {
   element::ElementDescription element;
   std::vector<UnseenBlock> unseen;
-  bool predicts = false;  ///< true if it reduces the held-out error; otherwise all weights are 0
+  bool predicts = false;  ///< true if the surrogate reduces the held-out error; otherwise all weights are 0
 };
 
 /// Returns a layout whose operators cover the strokes, time constants and frequencies of the logs.

@@ -11,12 +11,11 @@
 
 namespace rubber_suspension::fit {
 
-/// A parameter that was fitted.
 struct FittedParameter {
   std::string name;        ///< for example "friction[1].maximum_force"
   double given = 0.0;      ///< value at which the fit began
   double value = 0.0;      ///< fitted value
-  bool determined = true;  ///< false: at a bound, or a standard deviation of its logarithm above ln(2)/1.96
+  bool determined = true;  ///< false if at a bound, or if the standard deviation of its logarithm exceeds ln(2)/1.96
   double deviation = 0.0;  ///< standard deviation of its logarithm if the model is right; infinite if no row shows it
 };
 
@@ -32,8 +31,8 @@ struct TableFit {
 /// 10 or two standard deviations of the given values. Counts, tables, dead bands and reference quantities are kept. The
 /// result is a local optimum, so `description` should be of about the right size. Rows of several temperatures are
 /// first shifted onto one curve (masterCurve()) at the reference of the component, if any; the fitted component has the
-/// law of the shifts. If `series` is given, the fit begins with its elements instead. Throws std::invalid_argument for
-/// fewer than two points, for points that are no loops, and if a table shows no parameter of the component.
+/// law of the shifts. With a `series` the fit begins with its elements. Throws std::invalid_argument for fewer than two
+/// points, points that are no loops, and a component without parameters that a table shows.
 TableFit fitToTable(const io::ComponentDescription& description, const std::vector<TablePoint>& points,
                     std::optional<Series> series = std::nullopt);
 

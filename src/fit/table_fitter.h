@@ -15,9 +15,8 @@
 
 namespace rubber_suspension::fit {
 
-/// Represents each row by a record: a sine that grows from rest over several cycles and settles, followed by one cycle
-/// that counts. Stiffness and loss angle are determined from peaks and area of this cycle, as in `estimate
-/// --from-table`.
+/// Represents each row by a record: a sine that grows from rest and settles, followed by one cycle that counts. Peaks
+/// and area of this cycle give stiffness and loss angle, as in `estimate --from-table`.
 class TableLoops {
  public:
   /// Throws std::invalid_argument like checkPoints().

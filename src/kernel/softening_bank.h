@@ -26,8 +26,8 @@ struct SofteningBlock {
   bool recovers = false;                             ///< true if any of the laws recovers
 };
 
-/// Product of the factors of several laws. It equals that of the single laws up to rounding. The memory contains the
-/// memories of all laws in order.
+/// Product of the factors of several laws, equal to the product of their single factors up to rounding. The memory
+/// contains the memories of all laws in order.
 class SofteningBank final : public element::ForceEffect {
  public:
   /// Returns true if the bank supports a law with complete parameters, whose powers then need no std::pow.

@@ -361,8 +361,7 @@ Explanation silent(const Shown& log) {
                record.force_deviation, 100.0 * log.force_ratio);
 }
 
-// Returns the ratio of length unit to force unit (in SI) with which the log fits the component after columns are
-// exchanged.
+// Returns the ratio of length to force unit (in SI) with which the log fits the component after columns are exchanged.
 std::optional<double> unitsOfSwap(gap::LogDriver& component, const log::Record& record, const Sheet& sheet) {
   for (const double units : {1.0, 1e-3, 1e-6, 1e-9}) {
     const VectorXd displacement = units * record.force;
@@ -454,8 +453,7 @@ Explanation turnedPhases(const Shown& log) {
   constexpr double kMostBehind = 15.0;     // samples; the longer of this and the next limit applies
   constexpr double kLongestBehind = 0.03;  // [s]
   constexpr double kMostAhead = 4.0;       // samples
-  constexpr double kClearlyLate =
-      0.124;  // share of a period; a longer delay competes with a wrong sign or wrong columns
+  constexpr double kClearlyLate = 0.124;   // share of a period; a longer delay competes with sign and columns
   const bool as_stiff = log.isElastic() && log.configured.sheet.plausible(log.ratio);
   const bool only_delay = as_stiff && !looksSwapped(log);
   const auto [delay, late] = bestDelay(log, only_delay ? 0.0 : kClearlyLate);

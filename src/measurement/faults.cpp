@@ -28,8 +28,7 @@ constexpr Index kScaleBlock = 64;  // samples over which the scatter is assumed 
 constexpr Index kAround = 6;       // samples about a spike that belong to the same visit of a displacement
 constexpr Index kMostVisits = 1000;
 constexpr double kOddsOfSpike = 9.0;
-constexpr double kShareBesideSpikes =
-    5.0 * kMostSpikes;  // share of visits with a corner; one spike causes five corners
+constexpr double kShareBesideSpikes = 5.0 * kMostSpikes;  // share of visits with a corner; a spike causes five corners
 
 // A noisy channel repeats less than this share of its samples, except at its extremes and in long runs.
 constexpr double kFewRepeats = 0.02;

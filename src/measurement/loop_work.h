@@ -34,9 +34,8 @@ class CrossSpectrum {
  public:
   CrossSpectrum(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-  /// Returns the ratio of the net work of the loops to the largest possible work, with the force shifted forward by
-  /// some samples, and the standard deviation of this ratio (jackknife over windows). It is positive if energy is
-  /// dissipated.
+  /// Returns the net work of the loops over the largest possible work, with the force shifted forward by some samples,
+  /// and the standard deviation of this ratio (jackknife over windows). Dissipated work is positive.
   std::pair<double, double> work(double forward) const;
 
   std::vector<Octave> octaves() const;

@@ -138,8 +138,7 @@ std::array<double, 2> profileInterval(const std::vector<double>& exponents, cons
       interval[1] = std::max(interval[1], exponents[i]);
     }
   }
-  // The interval is widened by a step of the grid, to cover the error of a sum of processes near half the sampling
-  // rate.
+  // The interval is widened by a step of the grid, to cover the error of the sum of processes at high frequencies.
   const double step = exponents[1] - exponents[0];
   return {interval[0] - step, interval[1] + step};
 }

@@ -336,8 +336,7 @@ bool startsAtRest(const log::Record& record) {
          std::abs(record.force[0]) < kNear * rangeOf(record.force);
 }
 
-// Returns the limit of the initial state [N]: the difference of the first measured forces from forces simulated from
-// rest.
+// Returns the limit of the initial state [N]: how much the first forces differ from forces simulated from rest.
 double mostLeft(const log::Record& record, const VectorXd& base) {
   constexpr Index kFirst = 5;  // samples, to average noise
   const Index count = std::min(kFirst, record.size());

@@ -56,14 +56,12 @@ struct Limits {
   Eigen::VectorXd inside(const Eigen::VectorXd& x) const { return x.cwiseMax(lower).cwiseMin(upper); }
 };
 
-/// Convergence criteria of a search.
 struct SearchTolerances {
   int most_steps = 60;
   double cost = 1e-10;  ///< relative change of the sum
   double step = 1e-9;   ///< change of the coordinates relative to their length
 };
 
-/// Result of a search.
 struct Optimum {
   Eigen::VectorXd search;
   double cost = 0.0;  ///< not finite if the search could not begin

@@ -51,7 +51,7 @@ class alignas(kernel::kCacheLine) ComponentState {
   };
 
   double displacement_ = 0.0;
-  bool kernel_alone_ = false;      // the same as in the component
+  bool kernel_alone_ = false;      // copy of the member of Component
   kernel::PreparedStep prepared_;  // derived and not saved; has a branch only for a component of the kernel alone
   // Memory of all elements, one after the other; mostly inline, on cache lines next to the coefficients.
   boost::container::small_vector<double, 16> memory_;
@@ -61,7 +61,7 @@ class alignas(kernel::kCacheLine) ComponentState {
 /// Linearisation of one step about its end, for implicit integrators: dF/dz at the end of the step is stiffness +
 /// damping/dt.
 struct Tangent {
-  double stiffness;  ///< derivative of elastic and friction force with respect to the displacement at its end [N/m]
+  double stiffness;  ///< derivative of elastic and friction force with respect to the displacement at the end [N/m]
   double damping;    ///< dt times the derivative of the viscous force [N s/m]
 };
 
@@ -128,8 +128,8 @@ class Component {
   /// Resets the factors to a_T = b_T = 1, as in makeState().
   void forgetTemperature(ComponentState& state) const;
 
-  /// Simulates steps of dt [s] to `count` displacements [m] and writes the total forces [N] to `force`. They equal
-  /// those of step() bit by bit, and are computed several times as fast. Allocates nothing.
+  /// Simulates steps of dt [s] to `count` displacements [m] and writes the total forces [N] to `force`. The forces
+  /// equal those of step() bit by bit, and are computed several times as fast. Allocates nothing.
   void simulate(ComponentState& state, double dt, const double* displacement, std::size_t count, double* force) const;
 
   /// Simulates as above, with a temperature [degC] for each step.
@@ -163,7 +163,7 @@ class Component {
   template <class Law>
   struct Placed {
     std::shared_ptr<const Law> law;
-    std::size_t offset;  // index of its memory in the state
+    std::size_t offset;  // index of the element's memory in the state
   };
   enum class Start { as_new, relaxed };
   enum TemperatureSlot { kTemperature, kRate /* 1/a_T */, kForce /* b_T */, kTemperatureSlots };
@@ -204,13 +204,12 @@ class Component {
 
   std::vector<element::ElementDescription> descriptions_;
 
-  // The displacement path. The memory contains the displacements behind its effects and of the test piece.
+  // The displacement path. The memory contains the displacement behind the effects and that of the test piece.
   std::vector<Placed<element::DisplacementEffect>> displacement_effects_;
   SeriesBalance series_;
   std::size_t behind_effects_slot_ = 0;
   std::size_t test_piece_slot_ = 0;
 
-  // The test piece.
   kernel::BasicLawsKernel kernel_;                           // all laws of most components
   std::vector<Placed<element::ParallelElement>> elements_;   // all other laws, with the linear ones first
   std::ptrdiff_t linear_count_ = 0;                          // number of linear laws

@@ -8,8 +8,8 @@ namespace rubber_suspension::component {
 
 struct StreamWrench {
   Acceptance acceptance;
-  BushForce force;            ///< only for an accepted sample
-  SixNumbers coordinates;     ///< only for an accepted sample [m, rad]
+  BushForce force;            ///< valid only for an accepted sample
+  SixNumbers coordinates;     ///< valid only for an accepted sample [m, rad]
   bool beyond_valid = false;  ///< true if the sample is accepted, and its rotation is beyond the stated validity
 };
 
@@ -29,7 +29,7 @@ class PoseStream : public StampedStream {
   /// Sets the temperature [degC] like SampleStream::setTemperature().
   bool setTemperature(double temperature);
 
-  /// Resets to a new test piece at rest at the next sample. Temperature and counters are kept.
+  /// Resets to a new test piece, which the next sample finds at rest. Temperature and counters are kept.
   void reset();
 
   const SixDirectionsState& state() const { return state_; }

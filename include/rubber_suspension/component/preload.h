@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::component {
 
-/// Static load of a direction: the working point of its specification, and of tables as a function of preload.
+/// Static load of a direction, which defines the working point of its specification and of its tables.
 struct Preload {
   bool is_force = true;  ///< a displacement if false
   double value = 0.0;    ///< [N, N m], or [m, rad]

@@ -9,10 +9,9 @@
 
 namespace rubber_suspension::component {
 
-/// Treatment of a sample.
 enum class Acceptance {
   accepted,
-  restarted,         ///< accepted after a jump back by more than a second, as of a new replay; the component was reset
+  restarted,         ///< accepted after a jump back by more than a second (a new replay); the component was reset
   bridged,           ///< accepted after a time gap longer than max_gap, over which the displacement is assumed linear
   not_finite,        ///< dropped: the displacement is not finite
   repeated,          ///< dropped: the stamp equals the preceding stamp
@@ -24,7 +23,6 @@ enum class Acceptance {
 
 inline bool isAccepted(Acceptance acceptance) { return acceptance <= Acceptance::bridged; }
 
-/// The number of samples of each kind.
 struct StreamCounters {
   std::uint64_t accepted = 0;  ///< including restarts and bridged time gaps
   std::uint64_t restarted = 0;
@@ -43,7 +41,7 @@ struct StreamCounters {
 
 struct StreamForce {
   Acceptance acceptance;
-  element::ComponentForce force;  ///< only for an accepted sample
+  element::ComponentForce force;  ///< valid only for an accepted sample
 };
 
 /// Base class of all streams: accepts or drops samples by their stamps, and counts them.
@@ -102,7 +100,7 @@ class SampleStream : public StampedStream {
   }
 
   /// Pushes samples up to the first that is dropped, and returns the number of accepted samples. Writes their forces
-  /// [N] to `force`, equal to those of push() bit by bit. Evenly spaced samples are several times as fast.
+  /// [N] to `force`, equal to those of push() bit by bit. This is several times as fast if samples are evenly spaced.
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, std::size_t count, double* force);
 
   /// Sets the temperature [degC] of the following samples. Returns false, without effect, if a shift of the component
@@ -113,7 +111,7 @@ class SampleStream : public StampedStream {
   std::size_t pushAll(const std::int64_t* stamp, const double* displacement, const double* temperature,
                       std::size_t count, double* force);
 
-  /// Resets to a new test piece at rest at the next sample. Temperature and counters are kept.
+  /// Resets to a new test piece, which the next sample finds at rest. Temperature and counters are kept.
   void reset();
 
   const ComponentState& state() const { return state_; }

@@ -33,7 +33,7 @@ class SeriesBalance {
   /// Returns 1/K_s [m/N] of a linear balance; 0 if there are no elements.
   double compliance() const { return sides_.tension; }
 
-  /// Returns the deflection u [m] under a force [N], without the opening of contacts.
+  /// Returns the deflection u [m] under a force [N], not counting open contacts.
   double deflection(double force) const;
 
   /// Returns the displacement [m] of a test piece that consists of basic laws only, at the end of a step. `path`:
@@ -54,7 +54,7 @@ class SeriesBalance {
   }
 
  private:
-  /// The balance slope z + offset + compliance friction(z) = 0, which applies if no element hardens.
+  /// Coefficients of slope z + offset + compliance friction(z) = 0, which is the balance if no element hardens.
   struct Equation {
     double slope;       // [-]
     double offset;      // [m]
@@ -63,7 +63,7 @@ class SeriesBalance {
 
   Equation equationOf(const kernel::BasicLawsKernel& laws, const kernel::LinearForce& linear,
                       const element::Motion& path, const double* memory) const {
-    // The compliance reduces the force without changing its sign, which determines the side.
+    // The compliance does not change the sign of the force, so that the sign without it determines the side.
     const double compliance =
         sides_.tension == sides_.compression
             ? sides_.tension
@@ -79,7 +79,7 @@ class SeriesBalance {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   bool empty_ = true;
-  double tension_opens_ = kNever;      // force beyond which a contact opens [N]
+  double tension_opens_ = kNever;      // tensile force beyond which a contact opens [N]
   double compression_opens_ = kNever;  // magnitude of the compressive force beyond which a contact opens [N]
   element::SeriesElement::Compliance sides_{0.0, 0.0};  // sums over the elements that are linear on each side
   std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // all other elements

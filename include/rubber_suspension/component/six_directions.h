@@ -57,12 +57,11 @@ struct SixDirectionsLaws {
   Coupling rotation = Coupling::rectangular;
   std::size_t axis = 2;  ///< axis of cylindrical coupling: 0 x, 1 y, 2 z
   RotationMeasure measure = RotationMeasure::vector;
-  double valid_rotation = kVectorEnd;                      ///< largest sizeOf() without extrapolation [rad]
+  double valid_rotation = kVectorEnd;                      ///< larger sizeOf() of a rotation is an extrapolation [rad]
   Eigen::Isometry3d on_a = Eigen::Isometry3d::Identity();  ///< frame of the bush on body A, in A
   Eigen::Isometry3d on_b = Eigen::Isometry3d::Identity();  ///< frame of the bush on body B, in B
 };
 
-/// Result of a step.
 struct BushForce {
   Wrench wrench;  ///< wrench on B, about B's origin, that holds the pose; in A's axes
   /// Generalised forces [N, N m] of the directions with their parts, in the axes of the bush on A.
@@ -78,7 +77,7 @@ struct Reactions {
 /// Linearisation of one step about its end. The derivative of the wrench with respect to a small motion (translation of
 /// B's origin, rotation) in A's axes is stiffness + damping/dt. It is not symmetric if a load turns with the pose.
 struct SixTangent {
-  Eigen::Matrix<double, 6, 6> stiffness;  ///< of elastic and friction forces, and of turning axes [N/m, N, N m]
+  Eigen::Matrix<double, 6, 6> stiffness;  ///< due to elastic and friction forces and turning axes [N/m, N, N m]
   Eigen::Matrix<double, 6, 6> damping;    ///< dt times the derivative of viscous forces
 };
 
@@ -128,10 +127,10 @@ class SixDirections {
   /// Returns a state of the right size, at rest at the identity pose.
   SixDirectionsState makeState() const;
 
-  /// Initialises at rest at a pose of B in A, relaxed and never loaded before. With a twist, dashpots have a force.
+  /// Initialises at rest at a pose of B in A, relaxed and never loaded before. A twist causes forces of dashpots only.
   BushForce initialise(SixDirectionsState& state, const Eigen::Isometry3d& pose, const Twist& twist = {}) const;
 
-  /// Relaxes the component as a long rest at a pose does. Permanent changes remain.
+  /// Relaxes the component by a long rest at a pose. Permanent changes remain.
   BushForce relax(SixDirectionsState& state, const Eigen::Isometry3d& pose) const;
 
   /// Advances by dt > 0 [s] to a pose. Allocates nothing. The wrench is undefined if holds() returns false.
@@ -142,7 +141,7 @@ class SixDirections {
   BushForce step(SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose, const Twist& twist) const;
 
   /// Linearises the step of dt [s] from `state` to a pose about its end. `trial` is working space from makeState(). The
-  /// laws are differentiated by central differences over 10 nm and 10 nrad; the error due to the axes is 1e-9.
+  /// laws are differentiated by central differences over 10 nm and 10 nrad, the axes with an error of 1e-9.
   SixTangent tangent(const SixDirectionsState& state, double dt, const Eigen::Isometry3d& pose,
                      SixDirectionsState& trial) const;
 
@@ -210,7 +209,7 @@ class SixDirections {
   SixDirectionsLaws laws_;
   bool framed_;  // true if a frame of the bush differs from the frame of its body
   std::array<std::optional<Component>, kDirections> directions_;  // nullopt if free or entirely coupled
-  std::array<double, kDirections> damping_{};                     // of dashpots that use a twist [N s/m]
+  std::array<double, kDirections> damping_{};                     // damping of dashpots that use a twist [N s/m]
   std::vector<std::shared_ptr<const RadialCoupling>> couplings_;
   std::size_t coupled_size_ = 0;  // size of the memory of all couplings
 };

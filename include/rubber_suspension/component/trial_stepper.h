@@ -9,9 +9,9 @@ namespace rubber_suspension::component {
 /// change it. Call initialise(), then any number of attempt() and tangent(), then accept(), and so on.
 ///
 /// Between the accepted step and a trial the displacement is linear. The error of the force is therefore of second
-/// order in the step length, whatever the order of the integrator, whose error estimate does not include it. Limit the
+/// order in the step length for any integrator, and the error estimate of the integrator does not include it. Limit the
 /// step to about a twentieth of relaxation times and periods. A dashpot uses the mean speed since the accepted step,
-/// which has an error of first order. Model a viscous damper in the simulation instead.
+/// which has an error of first order, so model viscous dampers outside of the component.
 class TrialStepper {
  public:
   /// The component has to outlive this object.
@@ -32,7 +32,7 @@ class TrialStepper {
   element::ComponentForce accept(double time, double displacement);
 
   double time() const { return time_; }                            ///< time of the accepted step [s]
-  const element::ComponentForce& force() const { return force_; }  ///< at the accepted step [N]
+  const element::ComponentForce& force() const { return force_; }  ///< force at the accepted step [N]
 
  private:
   double since(double time) const;

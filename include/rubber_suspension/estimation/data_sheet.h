@@ -36,8 +36,8 @@ struct DataSheetResult {
 /// Converts a data sheet to a specification. The keys of `values` are the names in dataSheetParameters() and
 /// specificationParameters().
 ///
-/// - static_stiffness may be replaced by shore_a, loaded_area A, layer_thickness t, shape_factor S (and layers n). In
-/// compression it is E (1 + 2 S^2) A/(n t), in shear G A/(n t) with G = E/3 and S >= 1, below which bending matters;
+/// - static_stiffness may be replaced by shore_a, loaded_area A, layer_thickness t, shape_factor S (and layers n): E (1
+/// + 2 S^2) A/(n t) in compression, G A/(n t) in shear, with G = E/3 and S >= 1 (below, bending matters);
 /// - dynamic_stiffness may be replaced by dynamic_to_static_ratio;
 /// - second_loss_angle at second_frequency determines the break frequency of the model maxwell_dashpot, whose other
 /// parameters follow from K_st, K_n and the loss angle at f_n.

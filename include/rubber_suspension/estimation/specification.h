@@ -74,7 +74,7 @@ struct SheetTolerance {
   }
 };
 
-/// Numbers named as in specificationParameters() [SI], loss angles in rad, and optionally a static curve or points.
+/// Numbers with the names of specificationParameters() [SI], loss angles in rad; optionally a static curve or points.
 class Specification {
  public:
   using Values = std::map<std::string, double, std::less<>>;
@@ -106,7 +106,7 @@ class Specification {
   void setCurve(StaticCurve curve) { curve_ = std::make_shared<const StaticCurve>(std::move(curve)); }
   void eraseCurve() { curve_.reset(); }
 
-  /// Returns the points to which the model is fitted instead of using its numbers; empty without such points.
+  /// Returns the points to which the model is fitted; empty if the numbers of the model are used instead.
   const std::vector<SpecifiedPoint>& points() const { return points_; }
   void setPoints(std::vector<SpecifiedPoint> points) { points_ = std::move(points); }
 
@@ -134,7 +134,7 @@ class Specification {
   std::shared_ptr<const Units> units_;
 };
 
-/// Returns the displacement z_0 [m] of the working point. Throws std::invalid_argument if none has nominal_force.
+/// Returns the displacement z_0 [m] of the working point. Throws std::invalid_argument if none has the nominal_force.
 double nominalDisplacement(const Specification& specification);
 
 /// Returns the table of all numbers of `specification:`.

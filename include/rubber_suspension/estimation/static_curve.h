@@ -12,7 +12,7 @@ namespace rubber_suspension::estimation {
 struct StaticCurve {
   std::vector<double> displacement;  ///< increasing [m]
   std::vector<double> force;         ///< [N]
-  bool monotone = false;             ///< a decreasing force is rejected
+  bool monotone = false;             ///< true if a decreasing force is rejected
   bool scales = true;  ///< true if Maxwell elements and dashpots scale with the slope of the curve at each displacement
 
   /// Throws std::invalid_argument that begins with "static_curve" if the lists are no curve, if a slope is negative

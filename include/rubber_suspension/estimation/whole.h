@@ -21,7 +21,7 @@ struct Resolved {
   std::vector<PointMisfit> points;  ///< all points of a fit; empty without a fit
 };
 
-/// Returns the specification of the base of a component with the elements `add`. That of a base is returned unchanged.
+/// Returns the specification of the base of a component with the elements `add`. A base is returned unchanged.
 ///
 /// If the specification describes the component, the model, its static curve and the added elements together meet K_n,
 /// the loss angle and the high-frequency stiffness. These are defined on the settled loop at nominal frequency and

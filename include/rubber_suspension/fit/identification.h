@@ -15,21 +15,21 @@ struct IdentificationOptions {
   int starts = 8;                 ///< the first as given, others random within the range that the logs can show
   std::vector<std::string> held;  ///< parameters that keep their given value, such as "maxwell.break_frequency"
   unsigned seed = 1;              ///< seed of the random starts
-  /// For each log, forms of errors of its rig besides the common offset: one column each over the samples of the log.
-  /// Their factors are fitted, too. Empty without such errors.
+  /// For each log, errors of its rig besides the common offset: a matrix with a row for each sample and a column for
+  /// each form of error. The factors of the columns are fitted. Empty without such errors.
   std::vector<Eigen::MatrixXd> rig;
 };
 
 struct IdentifiedParameter {
   std::string element;
-  int index = 0;  ///< index of its element in Identification::elements; -1 if this element was removed
+  int index = 0;  ///< index of the parameter's element in Identification::elements; -1 if the element was removed
   std::string name;
   std::string unit;
   double value = 0.0;
   double lower = 0.0;  ///< lower limit of the 95 % interval
   double upper = 0.0;
   double given = 0.0;      ///< value at which the search began
-  bool determined = true;  ///< false if 0, at a limit of the search, or uncertain by more than a factor of 2
+  bool determined = true;  ///< false if the value is 0, at a search limit, or uncertain by more than a factor of 2
 };
 
 /// A combination of parameters that the logs hardly determine: its interval extends beyond a factor of 2.
@@ -39,7 +39,7 @@ struct UndeterminedDirection {
 };
 
 struct Identification {
-  std::vector<element::ElementDescription> elements;  ///< with the fitted values, without elements that have no force
+  std::vector<element::ElementDescription> elements;  ///< have the fitted values; elements without force are omitted
   std::vector<IdentifiedParameter> parameters;
   double force_offset = 0.0;  ///< constant force of the rig, which is also fitted [N]
   std::vector<UndeterminedDirection> undetermined;

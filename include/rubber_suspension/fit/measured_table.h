@@ -28,7 +28,7 @@ struct MeasuredTable {
   std::vector<std::string> notes;  ///< notes of the reader, for example on ignored columns
   /// RMS of |K*_measured - K*_true|/|K*| of a row, if the laboratory states it.
   std::optional<double> uncertainty = std::nullopt;
-  bool accept_units = false;  ///< true if the units of its stiffness are not checked
+  bool accept_units = false;  ///< true if the units of the stiffness are not checked
 };
 
 /// Throws std::invalid_argument for fewer than 2 points, or if a point is out of range; the text states the range.

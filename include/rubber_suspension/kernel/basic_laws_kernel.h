@@ -40,7 +40,7 @@ struct PreparedStep {
                                 : friction_count == 0);
   }
 
-  /// Returns the force [N] after such a step, without calling a function.
+  /// Returns the force [N] after a step for which continues() is true, without calling a function.
   __attribute__((always_inline)) element::ComponentForce continueTo(double displacement, double increment,
                                                                     double* memory) const {
     const double friction =
@@ -48,7 +48,7 @@ struct PreparedStep {
     return advance(displacement, increment, friction, memory);
   }
 
-  /// Advances the Maxwell elements. Returns the force [N] of all laws, of which `friction` is the part of friction.
+  /// Advances the Maxwell elements and returns the force [N] of all laws. `friction`: force of friction [N].
   __attribute__((always_inline)) element::ComponentForce advance(double displacement, double increment, double friction,
                                                                  double* memory) const {
     const double elastic = spring_stiffness * displacement;
@@ -110,7 +110,7 @@ class BasicLawsKernel {
   void simulate(double dt, double start, const double* displacement, std::size_t count, double* force, double* memory,
                 PreparedStep& prepared) const;
 
-  /// Returns the force without friction after a step from `start` [m], as a function of the displacement there.
+  /// Returns the force without friction after a step from `start` [m], as a function of the new displacement.
   LinearForce withoutFriction(double start, const double* memory, const PreparedStep& prepared) const;
 
   /// Returns the force of friction [N] after a step to this displacement [m], without changing the memory.

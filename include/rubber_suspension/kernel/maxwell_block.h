@@ -31,8 +31,8 @@ struct alignas(kCacheLine) MaxwellBlock {
     sum += Pair{forces[1], forces[1]};
   }
 
-  /// Advances the first `count` elements, at most eight, in the same way. Recursion replaces a loop, which would take
-  /// as much time as the elements; nested conditions avoid the computation of addresses.
+  /// Advances the first `count` elements, at most eight, as stepPair() does. Recursion replaces a loop, which would
+  /// take as much time as the elements; nested conditions avoid the computation of addresses.
   template <std::size_t first = 0>
   __attribute__((always_inline)) void stepFirst(std::size_t count, double increment, double* force, Pair& sum) const {
     if constexpr (first < kSize) {

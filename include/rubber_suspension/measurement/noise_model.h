@@ -47,8 +47,7 @@ struct ExcludedBand {
 NoiseModel estimateNoise(const Eigen::VectorXd& signal, const Mask& mask, const ExcludedBand& excluded = {});
 
 /// Returns true if one law (white + 1/f) fits the spectrum inside and outside of a band, so that the signal inside may
-/// also be noise. The law has to fit outside no worse than a law fitted to the outside alone, and leave no peaks
-/// inside.
+/// also be noise. The law has to fit the outside no worse than a law of its own, and to leave no peaks inside.
 bool continuesInto(const ExcludedBand& band, const Eigen::VectorXd& signal, const Mask& mask);
 
 /// Transforms noise of a model to white noise of standard deviation 1, and the columns of a least-squares system alike.
