@@ -21,7 +21,7 @@ RotationCoordinates vectorOf(const Eigen::Quaterniond& rotation) {
   const double w = sign * rotation.w();
   const double sine = rotation.vec().norm();
   const double half_angle = std::atan2(sine, w);
-  constexpr double kSmall = 1e-8;  // a smaller half angle equals its sine
+  constexpr double kSmall = 1e-8;  // sine and half angle are equal below this value
   const Eigen::Vector3d theta = sign * 2.0 * (sine < kSmall ? 1.0 / w : half_angle / sine) * rotation.vec();
   return {RotationMeasure::vector, theta, curvatureOf(theta.squaredNorm(), half_angle * w / std::max(sine, kSmall))};
 }

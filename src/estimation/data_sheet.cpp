@@ -214,7 +214,7 @@ DataSheetResult specificationFromDataSheet(std::optional<Model> model, LoadDirec
   if (values.count("second_loss_angle") != 0 || values.count("second_frequency") != 0) {
     addSecondAngle(values, result);
   }
-  estimate(result.model, result.specification);  // throws if there is no solution
+  estimate(result.model, result.specification);  // throws if the specification has no solution
   return result;
 }
 

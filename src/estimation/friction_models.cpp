@@ -63,7 +63,7 @@ WorkingPoint workingPoint(const Specification& specification, double viscous_sha
 
 double viscousShare(const Specification& specification) { return valueOrDefault(specification, "viscous_share"); }
 
-// Returns the obstacle that even Coulomb friction, the least stiff friction with this loss, is too stiff.
+// Returns the obstacle that the stiffness is too low for this loss even with Coulomb friction, the least stiff one.
 Obstacle tooLossy(double k_lowest) {
   return {"dynamic_stiffness",
           fmt::format("is less than {:.6g} N/m, the least stiffness of friction with this loss per cycle", k_lowest)};

@@ -148,7 +148,7 @@ class PointFit {
     }
     const double rise = std::max(0.1 * k_high, k_high - numbers_[0].starts[0]);
     if (hasFriction()) {
-      numbers_.push_back({"friction_stiffness", {2.0 * rise}});  // F_max/z2
+      numbers_.push_back({"friction_stiffness", {2.0 * rise}});  // friction's F_max/z2
       numbers_.push_back({"friction_displacement", {0.3 * a_low, std::sqrt(a_low * a_high), 3.0 * a_high}});
     }
     if (hasMaxwell() || model_ == Model::multi_maxwell) {
@@ -364,7 +364,7 @@ class PointFit {
     return base;
   }
 
-  // M4 and M5 have K_n at the turning point, where a dashpot has no force. Their losses are computed in closed form.
+  // M4 and M5 have K_n at the turning point, where a dashpot has no force. Losses are computed in closed form.
   void setFriction(Specification& base, const Eigen::VectorXd& logarithms, double peak_stiffness) const {
     const double z2 = valueOf(logarithms, "friction_displacement");
     const element::BergFriction friction(valueOf(logarithms, "friction_stiffness") * z2, z2, 0.0);

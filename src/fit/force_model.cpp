@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kSearchReach = 1e3;  // factor above and below the given value where the log implies no scale
 constexpr double kStartReach = 10.0;
-constexpr double kNanoseconds = 1e9;  // in a second
+constexpr double kNanoseconds = 1e9;  // nanoseconds in a second
 
 // Scales that follow from rate, length and amplitude of the logs.
 struct LogScales {
@@ -108,7 +108,7 @@ Unknown unknownOf(std::size_t position, const element::ParameterInfo& parameter,
   return unknown;
 }
 
-// Returns the unknown parameters of an element. Those that scale its force are linear, unless one of them is fixed.
+// Returns the unknown parameters of an element. Parameters that scale its force are linear unless one of them is fixed.
 std::vector<Unknown> unknownsOf(std::size_t position, const element::ElementDescription& element,
                                 const std::vector<std::string>& held, const LogScales& scales) {
   std::vector<Unknown> unknowns;

@@ -28,7 +28,7 @@ struct Unknown : Reach {
   std::string unit;
   double given;
   bool logarithmic;  ///< the search coordinate is ln(value) if true, value/scale if false
-  double scale;      ///< 1 if logarithmic
+  double scale;      ///< 1 if the search coordinate is logarithmic
   bool linear;       ///< true if it scales a force and no fixed parameter of its element does so
 
   double toSearch(double value) const { return logarithmic ? std::log(value) : value / scale; }
@@ -128,7 +128,7 @@ class ForceModel final : public numerics::SumOfSquares {
   std::vector<Unknown> linear_;
   std::vector<bool> signed_columns_;  // for each column of the basis, true if its coefficient may be negative
   std::vector<Part> parts_;
-  Eigen::MatrixXd columns_;   // columns()
+  Eigen::MatrixXd columns_;   // see columns()
   Eigen::VectorXd all_;       // force at all samples; empty if all are compared
   Eigen::MatrixXd moved_;     // forces at a varied parameter, for all further parts that depend on it
   ModelFit last_;             // result of the last call of at()

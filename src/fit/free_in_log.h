@@ -33,7 +33,7 @@ struct PerLogNuisances {
   ForceColumn by_factor = nullptr;
 
   bool any() const { return trend || offset || gain || by_zero || by_factor; }
-  /// Returns true if a term that all logs share may represent the mean of some of these parameters over the logs.
+  /// Returns true if a term that all logs share may represent the mean of some nuisance parameters over the logs.
   bool ofTerms() const { return offset || gain; }
   Eigen::Index count() const {
     return (trend ? kTrendsPerLog : 0) + (by_zero ? 1 : 0) + (by_factor ? 1 : 0) + (offset ? 1 : 0) + (gain ? 1 : 0);
@@ -43,7 +43,7 @@ struct PerLogNuisances {
     return {one.trend || other.trend, one.offset || other.offset, one.gain || other.gain,
             one.by_zero ? one.by_zero : other.by_zero, one.by_factor ? one.by_factor : other.by_factor};
   }
-  /// Returns the nuisances that both arguments have. The pointers are those of `other`.
+  /// Returns the nuisance parameters that `one` and `other` have in common, with the pointers of `other`.
   friend PerLogNuisances operator&(const PerLogNuisances& one, const PerLogNuisances& other) {
     return {one.trend && other.trend, one.offset && other.offset, one.gain && other.gain,
             one.by_zero ? other.by_zero : nullptr, one.by_factor ? other.by_factor : nullptr};

@@ -127,7 +127,7 @@ struct Hypothesis {
 
 /// Returns the hypothesis with the candidates `members`. If a candidate contains several laws, it extends only one of
 /// them, preferably the first of `preferred`. Otherwise it would be no simpler than all these laws together. `curved`:
-/// candidates that follow the curve.
+/// candidates whose terms follow their curve (Candidate::curved).
 Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
                           const std::vector<int>& preferred = {}, const std::vector<int>& curved = {});
 

@@ -11,8 +11,8 @@ namespace rubber_suspension::fit {
 namespace {
 
 constexpr double kEnoughGain = 1e-3;  // smallest relative reduction of the gap for a further step
-constexpr double kSlow = 0.2;     // share of the reduction still needed; with less per step a fit needs over five steps
-constexpr int kMostHalvings = 6;  // halvings of a step that does not reduce the cost
+constexpr double kSlow = 0.2;  // share of the reduction still needed; smaller steps would need over five further steps
+constexpr int kMostHalvings = 6;           // halvings of a step that does not reduce the cost
 constexpr double kNegligibleScale = 1e-9;  // share of the typical scale; a term of a smaller scale is omitted
 
 // Returns the mean offset (or gain) of the logs that the parameters do not explain. `of_columns`: the mean offset of

@@ -28,7 +28,7 @@ using Motions = std::function<gap::Forces(const std::vector<element::ElementDesc
 /// outlive it.
 class HypothesisForces {
  public:
-  /// For motions that are not logs, without records(). Unit effects of terms have to be those for the motions.
+  /// For motions that are not logs, without records(). Terms have to contain their unit effects for these motions.
   HypothesisForces(Motions motions, const ModelParameters& model);
   HypothesisForces(std::shared_ptr<const std::vector<gap::PreparedRecord>> records, const ModelParameters& model);
   HypothesisForces(std::vector<gap::PreparedRecord> records, const ModelParameters& model)

@@ -35,7 +35,7 @@ struct MasterCurve {
   std::vector<ShiftConstant> constants;
   std::vector<FoundShift> shifts;  ///< ordered from cold to warm
   double misfit = 0.0;             ///< RMS of |K* - K*_series|/|K*| over the rows, shifted by the law
-  double misfit_of_shifts = 0.0;   ///< the same with each temperature shifted separately
+  double misfit_of_shifts = 0.0;   ///< RMS after each temperature was shifted separately
 
   /// Returns log10 a_T according to the law at a temperature [degC].
   double decadesAt(double temperature) const;

@@ -115,7 +115,7 @@ struct LogBlocks::Request {
   Eigen::Index width;  // number of columns, with the residual
   Places fresh;        // indices of columns to be multiplied by all others
   Places known;        // indices of columns that no fit changes
-  Places index;        // their indices in known_
+  Places index;        // indices of the known columns in known_
 };
 
 // Products of the columns, residual and nuisance parameters of one log after errors of its rig were removed.

@@ -188,7 +188,7 @@ Choice chooseFunctions(const RidgeRegression& regression, const ResidualBasis& b
   return best;
 }
 
-// Describes the functions, without resonators if all their weights are 0.
+// Describes the functions, without resonators if all weights of resonators are 0.
 element::ElementDescription describeElement(const ResidualBasis& basis, const Eigen::VectorXd& weights,
                                             const std::vector<Eigen::MatrixXd>& functions) {
   double lowest = 0.0;

@@ -15,7 +15,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// Samples per cycle. Their error of the area, 2e-4, is far below the error of measured loops, about a percent.
+// Samples per cycle, which determine the area to 2e-4. Measured loops are accurate to about a percent.
 constexpr int kSamplesOfSweep = 180;
 constexpr double kStepOfLogarithm = 1e-4;  // step of difference quotients
 

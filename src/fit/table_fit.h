@@ -23,7 +23,7 @@ struct TableFit {
   io::ComponentDescription component;  ///< list of elements with the fitted values
   std::vector<FittedParameter> parameters;
   double misfit_before = 0.0;               ///< RMS of |K*_model - K*|/|K*| over the points, K* = K exp(i delta)
-  double misfit = 0.0;                      ///< the same after the fit
+  double misfit = 0.0;                      ///< RMS after the fit
   std::optional<MasterCurve> master_curve;  ///< for a table with temperatures
 };
 

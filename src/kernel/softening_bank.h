@@ -10,19 +10,19 @@
 
 namespace rubber_suspension::kernel {
 
-/// Parameters of several laws, one law in each lane; 0 in unused lanes. R, w, S, S_f, L and T are those of the law.
+/// Parameters of several laws (element/stress_softening.cpp), one law in each lane; 0 in unused lanes.
 struct SofteningBlock {
   static constexpr std::size_t kSize = 8;
   using Numbers = std::array<double, kSize>;
 
-  Numbers reduction{};                               ///< R/tanh(1/w) [-]
-  Numbers steepness{};                               ///< 2/w [-]
+  Numbers reduction{};                               ///< R/tanh(1/w) of the reduction R and the width w [-]
+  Numbers steepness{};                               ///< 2/w of the width w [-]
   Numbers by_ratio{}, by_square{};                   ///< factors of the powers of |z|/S, one of which is 1
   Numbers evenly{}, by_reach{}, by_reach_squared{};  ///< factors of the powers of S/S_f, one of which is 1
-  Numbers inverse_full_reach{};                      ///< 1/S_f [1/m]
-  Numbers side{};                                    ///< -1, 0, 1
-  Numbers inverse_path{};                            ///< 1/L [1/m]
-  Numbers recovery_rate{};                           ///< 1/T [1/s]
+  Numbers inverse_full_reach{};                      ///< 1/S_f of the reach S_f with full reduction [1/m]
+  Numbers side{};                                    ///< -1: compression, 0: both sides, 1: tension
+  Numbers inverse_path{};                            ///< 1/L of the path length L [1/m]
+  Numbers recovery_rate{};                           ///< 1/T of the recovery time T [1/s]
   bool recovers = false;                             ///< true if any of the laws recovers
 };
 
@@ -43,7 +43,7 @@ class SofteningBank final : public element::ForceEffect {
   double step(const element::Motion& motion, const element::ComponentForce& force, double* memory) const override;
 
  private:
-  static constexpr std::size_t kSlots = 2;  // memory of each law: M, S
+  static constexpr std::size_t kSlots = 2;  // memory of each law: largest displacement M, softened reach S
 
   std::vector<std::shared_ptr<const element::ForceEffect>> laws_;
   std::vector<SofteningBlock> blocks_;

@@ -80,9 +80,9 @@ std::optional<UnitFactor> assumedFactorOf(double ratio) { return unitFactorOf(ra
 struct Sheet {
   explicit Sheet(double tolerance) : factor(std::exp(1.4 * tolerance)) {}
 
-  // Smallest and largest ratio of measured to configured stiffness that effects cause over a whole log: friction raises
-  // it up to 3 times at small amplitude and 1.5 times over all amplitudes, progressive stiffness doubles it; softening,
-  // free play, heat and a series compliance lower it to a third. The data sheet's tolerance is included.
+  // Smallest and largest ratio of measured to configured stiffness due to effects and the data sheet. Friction raises
+  // it 3 times at small amplitude, 1.5 times over all; progressive stiffness doubles it; other effects lower it to a
+  // third.
   double least() const { return 0.345 / factor; }
   double most() const { return 3.04 * factor; }
   bool plausible(double ratio) const { return ratio > least() && ratio < most(); }
@@ -253,7 +253,7 @@ RigFinding swapFinding(const Shown& log) {
       log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
 }
 
-// Returns true if a constant force may be that of an open contact: it is the smallest force, and its displacements lie
+// Returns true if a constant force may be the force of an open contact: no force is smaller, and its displacements lie
 // beyond all displacements with a larger force.
 bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
   const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin).array(); };

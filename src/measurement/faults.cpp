@@ -95,7 +95,7 @@ struct Channel {
   }
   const VectorXd& scaleOf(Index width) const { return width == 1 ? scale : scale_of_two; }
   const char* name() const { return is_force ? "force" : "displacement"; }
-  double coarseStep() const { return step > 1e-4 * range ? step : 0.0; }  // 0 for a fine sensor
+  double coarseStep() const { return step > 1e-4 * range ? step : 0.0; }  // 0 if the sensor's resolution is fine
 
   const VectorXd& values;
   bool is_force;
@@ -247,7 +247,7 @@ class Mass {
   }
 
  private:
-  static constexpr Index kReach = 64;  // largest number of samples around a jump that show it
+  static constexpr Index kReach = 64;  // largest number of samples around a jump that show the jump
   static constexpr Index kBeside = 3;  // samples within which the time of a jump is known
 
   static Index middleOf(const Hole& hole) { return hole.begin + (hole.width - 1) / 2; }
@@ -482,7 +482,7 @@ std::optional<Saturation> findSaturation(const Channel& channel, const Channel& 
       const Index reach = std::max<Index>(3, (run.end - run.begin) / 8);
       const bool turns = turnsAtEnd(other.values, run, reach, kSpikeLimit * other.scale[run.begin]);
       in_motion += turns ? 0 : run.end - run.begin;
-      variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // of the bulge: (3/n + 3/(2 n)) n^2
+      variance += 4.5 * std::pow(other.scale[run.begin], 2) * length;  // variance: (3/n + 3/(2 n)) n^2
     }
   }
   const double width = std::max(3.5 * channel.coarseStep(), 0.005 * channel.range);

@@ -9,9 +9,9 @@
 namespace rubber_suspension::measurement {
 
 /// Fits piecewise linear functions of displacement, for each direction, and of speed to a residual [N] by least squares
-/// over the samples that count, and returns the residual without them. Nonlinear stiffness and damping, stops, and most
-/// of friction are such functions. The number of functions depends on the length of the log, so that noise remains. For
-/// a log of a few cycles it is 0.
+/// over the samples that count, and returns the residual minus these functions. Nonlinear stiffness and damping, stops,
+/// and most of friction are such functions. The number of functions depends on the length of the log, so that noise
+/// remains. For a log of a few cycles this number is 0.
 Eigen::VectorXd withoutFunctionsOfMotion(const log::Record& record, const Eigen::VectorXd& residual, const Mask& mask);
 
 }  // namespace rubber_suspension::measurement

@@ -205,7 +205,7 @@ double noiseFromStandstill(const log::Record& record, const Mask& mask) {
 // Estimates the noise from the spectrum of a residual outside of the motion's band, extrapolated into the band. Returns
 // 0 if too little of the spectrum lies outside.
 double noiseFromSpectrum(const log::Record& record, const VectorXd& residual, const Mask& mask, double slow_noise) {
-  constexpr double kFewestOutside = 0.1;  // cycles per sample; the whole spectrum has 0.5
+  constexpr double kFewestOutside = 0.1;  // cycles per sample, of the 0.5 of the whole spectrum
   const ExcludedBand motion = motionBand(record);
   if (0.5 - motion.high < kFewestOutside) {
     return 0.0;

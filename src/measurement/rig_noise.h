@@ -38,7 +38,7 @@ struct NoiseLimit {
 NoiseLimit noiseLimit(const std::vector<double>& noise, const std::vector<gap::PreparedRecord>& records);
 
 /// Returns, as a gap, the part of a residual [N] that errors of the rig explain, from the improbability of their
-/// values. The part is limited to the 95 % quantile, beyond which the model is wrong. Any model's residual has it.
+/// values. It is limited to the 95 % quantile, beyond which the model is wrong. Any model has this part.
 double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residual);
 
 /// Weight of a log relative to the other logs of its rig.

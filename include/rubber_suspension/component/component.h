@@ -61,7 +61,7 @@ class alignas(kernel::kCacheLine) ComponentState {
 /// Linearisation of one step about its end, for implicit integrators: dF/dz at the end of the step is stiffness +
 /// damping/dt.
 struct Tangent {
-  double stiffness;  ///< derivative of elastic and friction force with respect to the displacement at the end [N/m]
+  double stiffness;  ///< derivative of elastic and friction force with respect to the step's end [N/m]
   double damping;    ///< dt times the derivative of the viscous force [N s/m]
 };
 
@@ -117,7 +117,7 @@ class Component {
   /// Returns true if the component depends on temperature.
   bool shiftsWithTemperature() const { return !shifts_.empty(); }
 
-  /// Returns the temperatures [degC] at which its shifts are valid.
+  /// Returns the temperatures [degC] at which all shifts of the component are valid.
   const element::Range& temperatures() const { return temperatures_; }
 
   /// Sets the temperature [degC] of the following steps and computes the factors, without changing the memory. Does
@@ -210,7 +210,7 @@ class Component {
   std::size_t behind_effects_slot_ = 0;
   std::size_t test_piece_slot_ = 0;
 
-  kernel::BasicLawsKernel kernel_;                           // all laws of most components
+  kernel::BasicLawsKernel kernel_;                           // contains all laws of most components
   std::vector<Placed<element::ParallelElement>> elements_;   // all other laws, with the linear ones first
   std::ptrdiff_t linear_count_ = 0;                          // number of linear laws
   std::vector<Placed<element::ForceEffect>> force_effects_;  // scale the sum of kernel_ and elements_
@@ -218,7 +218,7 @@ class Component {
   std::vector<Placed<element::ParallelElement>> rig_;
 
   std::vector<std::shared_ptr<const element::TemperatureShift>> shifts_;
-  element::Range temperatures_;  // at which all shifts are valid
+  element::Range temperatures_;  // temperatures at which all shifts are valid
   std::size_t temperature_slot_ = 0;
 
   bool kernel_alone_ = true;  // true if the component consists of the kernel alone

@@ -145,7 +145,7 @@ class SampleStream : public StampedStream {
 
   const Component& component_;
   ComponentState state_;
-  // An earlier state and the steps after it, from which the state before a sample can be restored.
+  // An earlier state and the steps after it. The state before a sample can be restored from them.
   ComponentState saved_;
   std::array<Step, kMostSteps> steps_;
   std::size_t step_count_ = 0;

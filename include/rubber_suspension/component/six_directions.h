@@ -207,7 +207,7 @@ class SixDirections {
   Eigen::Matrix3d turningMoment(const Place& place, const Eigen::Vector3d& moments) const;
 
   SixDirectionsLaws laws_;
-  bool framed_;  // true if a frame of the bush differs from the frame of its body
+  bool framed_;  // true if a frame of the bush differs from the frame of the body
   std::array<std::optional<Component>, kDirections> directions_;  // nullopt if free or entirely coupled
   std::array<double, kDirections> damping_{};                     // damping of dashpots that use a twist [N s/m]
   std::vector<std::shared_ptr<const RadialCoupling>> couplings_;

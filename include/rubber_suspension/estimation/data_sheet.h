@@ -36,11 +36,11 @@ struct DataSheetResult {
 /// Converts a data sheet to a specification. The keys of `values` are the names in dataSheetParameters() and
 /// specificationParameters().
 ///
-/// - static_stiffness may be replaced by shore_a, loaded_area A, layer_thickness t, shape_factor S (and layers n): E (1
-/// + 2 S^2) A/(n t) in compression, G A/(n t) in shear, with G = E/3 and S >= 1 (below, bending matters);
+/// - static_stiffness may be replaced by shore_a, loaded_area A, layer_thickness t, shape_factor S (and layers n). It
+/// is E (1 + 2 S^2) A/(n t) in compression, and G A/(n t) in shear with G = E/3, for S >= 1 without bending;
 /// - dynamic_stiffness may be replaced by dynamic_to_static_ratio;
 /// - second_loss_angle at second_frequency determines the break frequency of the model maxwell_dashpot, whose other
-/// parameters follow from K_st, K_n and the loss angle at f_n.
+/// parameters follow from static_stiffness, dynamic_stiffness and loss_angle.
 /// If no model is given, the simplest model that accepts all inputs is chosen.
 ///
 /// Throws std::invalid_argument that states key, value and what is accepted: for a dynamic stiffness or a loss angle

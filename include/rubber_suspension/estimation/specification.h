@@ -1,4 +1,5 @@
-// Specification of a component, its models, and the estimation of their elements.
+// Specification of a component, its models, and the estimation of their elements. Symbols: K_st static, K_n dynamic,
+// K_max maximum stiffness; f_n nominal, f_h high, f_l low, f_b break frequency.
 #pragma once
 
 #include <algorithm>

@@ -23,11 +23,11 @@ struct Resolved {
 
 /// Returns the specification of the base of a component with the elements `add`. A base is returned unchanged.
 ///
-/// If the specification describes the component, the model, its static curve and the added elements together meet K_n,
-/// the loss angle and the high-frequency stiffness. These are defined on the settled loop at nominal frequency and
-/// amplitude about the nominal displacement (Eqs. 1 and 2 of Polach, IAVSD 2015), and met to about 1e-9. K_st and K_max
-/// refer to the curve and the linear part, including added springs and Maxwell elements but no friction. Effects that
-/// never settle (drift, heating, softening) are ignored, as a note states.
+/// If the specification describes the component, the model, its static curve and the added elements together meet
+/// dynamic_stiffness, loss_angle and high_frequency_stiffness. These are defined on the settled loop at nominal
+/// frequency and amplitude about the nominal displacement (Eqs. 1 and 2 of Polach, IAVSD 2015), and met to about 1e-9.
+/// static_stiffness and maximum_stiffness refer to the curve and the linear part, including added springs and Maxwell
+/// elements but no friction. Effects that never settle (drift, heating, softening) are ignored, as a note states.
 ///
 /// If points are given, the numbers minimise the sum over all points of weight |d ln K + i d delta|^2.
 ///

@@ -12,7 +12,7 @@
 namespace rubber_suspension::fit {
 
 struct IdentificationOptions {
-  int starts = 8;                 ///< the first as given, others random within the range that the logs can show
+  int starts = 8;                 ///< first start as given, others random within the range that the logs can show
   std::vector<std::string> held;  ///< parameters that keep their given value, such as "maxwell.break_frequency"
   unsigned seed = 1;              ///< seed of the random starts
   /// For each log, errors of its rig besides the common offset: a matrix with a row for each sample and a column for
@@ -34,7 +34,7 @@ struct IdentifiedParameter {
 
 /// A combination of parameters that the logs hardly determine: its interval extends beyond a factor of 2.
 struct UndeterminedDirection {
-  double standard_deviation = 0.0;  ///< of ln(parameter) along the direction; infinite if no log depends on it
+  double standard_deviation = 0.0;  ///< of ln(parameter) along the direction; infinite if no log shows any effect
   std::vector<std::pair<std::string, double>> weights;  ///< relative changes of the parameters; the largest is 1
 };
 

@@ -13,25 +13,24 @@
 
 namespace rubber_suspension::measurement {
 
-/// Compares the records of one bench with the configured component. Every finding is fatal; its text states the
-/// evidence and the correction. The findings:
-/// - constant: a channel is constant in the whole log, or for at least a tenth of it while the other channel continues;
-/// or the force is less than 5 % of the simulated force and unrelated to the displacement;
+/// Compares the records of one bench with the configured component. Every finding is fatal; the text of a finding
+/// states evidence and correction. The findings are:
+/// - constant: a channel is constant in the whole log, or for at least a tenth of the log while the other channel
+/// continues; or the force is less than 5 % of the simulated force and unrelated to the displacement;
 /// - rectified: a channel follows the magnitude of the other channel;
 /// - contact_side: the force fits the component only if its contact, or its compliance of one side, acts on the other
 /// side;
 /// - sign: the force falls while the displacement rises, and the loops create energy, which a mass in fast motion does
 /// not do. For a spring without loss the falling force suffices, unless only the fastest logs are reversed;
-/// - swapped_columns: force and displacement exchanged fit the component, and the loops or the stiffness do not fit it
-/// as recorded;
+/// - swapped_columns: the log fits the component after force and displacement are exchanged, but not as recorded;
 /// - delay: the loops create energy because one channel is late by more than the effect time_delay explains;
 /// - unit_factor: the stiffness is wrong by the factor of a wrong unit (1000, 9.81, 25.4, 4.448, ...). If units are
-/// assumed (log::UnitsAre), it may differ from a unit factor by a factor of 1.25, or of 2.5 if the unit factor is above
-/// 90. If units are named, all logs have to agree, and differ by at most 1.4 tolerances of the data sheet, or by 1.5
-/// above 90; or one of several logs is wrong by a unit factor above 90;
+/// assumed (log::UnitsAre), the stiffness may miss the unit factor by a factor of 1.25, or of 2.5 for unit factors
+/// above 90. If units are named, all logs have to agree, and miss it by at most 1.4 tolerances of the data sheet, or by
+/// 1.5 above 90; or one of several logs is wrong by a unit factor above 90;
 /// - other_component: the stiffness of all logs is wrong by one factor that neither a unit nor the tolerance of the
 /// data sheet together with all effects of rubber explains;
-/// - peak_to_peak: the force is twice or half that of the component in all logs;
+/// - peak_to_peak: the force is twice or half the simulated force in all logs;
 /// - too_short: fewer than 30 samples are in motion, or a cycle has fewer than 4 samples.
 ///
 /// `tolerance`: standard deviation of the logarithm of the data sheet's stiffnesses (estimation::SheetTolerance).

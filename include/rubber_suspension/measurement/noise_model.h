@@ -32,8 +32,8 @@ struct NoiseModel {
   bool isColoured() const { return coloured > 0.0; }
 };
 
-/// Band of the spectrum, in cycles per sample, that an estimate ignores: that of the motion, so that an error of the
-/// model is not mistaken for noise. The default excludes nothing.
+/// Band of the spectrum, in cycles per sample, that an estimate ignores. It is the band of the motion, so that an error
+/// of the model is not mistaken for noise. The default excludes nothing.
 struct ExcludedBand {
   double low = 1.0;
   double high = 0.0;

@@ -14,7 +14,7 @@ namespace rubber_suspension::measurement {
 
 /// A record and the findings on single samples of its log.
 struct PreparedLog {
-  log::Record record;                ///< its `counts` is set if some samples do not count
+  log::Record record;                ///< Record::counts is set if some samples do not count
   std::vector<RigFinding> findings;  ///< spikes, held values, saturation
 };
 
