@@ -1,5 +1,5 @@
 // M4 (Berg friction), M5 (with dashpot) and M6 (with Maxwell element) from stiffness and loss at the working point.
-// Sources: Polach (IAVSD 2015); M. Berg, Proc. IMechE F 211 (1997) 95-108.
+// Sources: Polach (IAVSD 2015); M. Berg, Proc. IMechE F 211 (1997) 95-108. Symbols are those of specification.h.
 #include <fmt/format.h>
 
 #include <boost/math/tools/minima.hpp>

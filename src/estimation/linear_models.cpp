@@ -1,5 +1,5 @@
 // M1 (Kelvin-Voigt), M2 with one Maxwell element and M3 (Maxwell element and dashpot) in closed form. Source: Polach
-// (IAVSD 2015), Eqs. 10 to 16.
+// (IAVSD 2015), Eqs. 10 to 16. Symbols are those of specification.h.
 #include <fmt/format.h>
 
 #include <cmath>

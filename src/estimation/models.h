@@ -1,5 +1,5 @@
 // The functions of each family of models: the reason why a specification has no solution, or the elements of the
-// solution.
+// solution. Symbols are those of specification.h.
 #pragma once
 
 #include <complex>
