@@ -83,8 +83,8 @@ class RadialCoupling {
 
  private:
   struct Branch {
-    double ratio;  // k_j/k_0 [-]
-    double rate;   // 1/tau [1/s]
+    double ratio;  // ratio of stiffnesses k_j/k_0 [-]
+    double rate;   // inverse relaxation time 1/tau [1/s]
   };
 
   void takeElastic(std::size_t axis, const std::vector<element::ElementDescription>& elastic);

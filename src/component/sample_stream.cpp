@@ -143,7 +143,7 @@ StreamForce SampleStream::refuseForce() {
 // Returns the number of following samples that have equal time steps and are accepted by their stamps.
 std::size_t SampleStream::evenRun(const std::int64_t* stamp, const double* displacement, std::size_t count) const {
   constexpr std::size_t kMost = 4096;  // samples that may have to be pushed again if a force of the run is not finite
-  constexpr std::size_t kTogether = 128;  // steps
+  constexpr std::size_t kTogether = 128;  // steps that are checked together
   if (!started_ || judge(stamp[0], std::isfinite(displacement[0])) != Acceptance::accepted) {
     return 0;
   }

@@ -13,7 +13,7 @@
 namespace rubber_suspension::estimation {
 namespace {
 
-// Returns mu0 = F_f0/F_max of the settled Berg loop of amplitude z0, which depends only on u = 2 z0/(z2 (1 + mu0)): its
+// Returns mu0 = F_f0/F_max of the settled Berg loop of amplitude z0. It depends only on u = 2 z0/(z2 (1 + mu0)): the
 // branch from -F_f0 ends at F_f0, so mu0 = u/(2 + u). u -> 0 is a spring, u -> infinity is Coulomb friction.
 double settledMu(double u) { return u / (2.0 + u); }
 
@@ -47,7 +47,7 @@ struct WorkingPoint {
   double k_st;            // [N/m]
   double k_n;             // [N/m]
   double loss_stiffness;  // K_n sin(delta): loss per cycle over pi A^2 [N/m]
-  double viscous_share;   // viscous share of the loss [-]
+  double viscous_share;   // share of the loss that is viscous [-]
   double amplitude;       // [m]
 
   double viscousLossStiffness() const { return viscous_share * loss_stiffness; }

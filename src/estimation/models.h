@@ -67,7 +67,7 @@ double valueOrDefault(const Specification& specification, std::string_view key);
 /// sqrt((K_max^2 - K_n^2)/(K_n^2 - K_st^2)).
 double breakFrequencyForMaximum(const Specification& specification);
 
-/// Returns the largest tolerance of the numbers on the data sheet; the usual tolerance if it has no number.
+/// Returns the largest tolerance of the numbers on the data sheet; the usual tolerance if the sheet has no number.
 double largestTolerance(const Specification& specification);
 
 /// Returns the break frequency [Hz] at which one Maxwell element meets K_n and the loss angle delta: f_b = f_n K_n

@@ -193,7 +193,7 @@ Solution solveForMaximum(const Inputs& inputs) {
   const double high_frequency = inputs.high_frequency.value();
   std::vector<double> break_frequencies = breakFrequencies(inputs, high_frequency);
   const std::vector<Complex> of_each = relativeStiffnesses(break_frequencies, f_n);
-  // The ratio of loss to storage of all elements is the mean of f_b/f_n weighted by storage. It decreases with alpha.
+  // The ratio of loss to storage of all elements, the mean of f_b/f_n weighted by storage, decreases with alpha.
   const double ratio = breakFrequencyForLossAngle(inputs.specification) / f_n;
   const double alpha = increasingRoot([&](double trial) {
     const Complex relative = relativeStiffness(trial, of_each);

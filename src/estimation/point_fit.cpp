@@ -19,7 +19,7 @@ namespace {
 
 using FitEntries = std::vector<element::ElementDescription>;
 
-constexpr double kAnyPointAmplitude = 1e-3;  // [m]; for linear components, which do not depend on it
+constexpr double kAnyPointAmplitude = 1e-3;  // [m]; for linear components, which do not depend on the amplitude
 const double kWidestFit = std::log(1e4);     // limit of a logarithm on either side of its start
 
 // A parameter of the model's elements, which is fitted or fixed.
@@ -148,7 +148,7 @@ class PointFit {
     }
     const double rise = std::max(0.1 * k_high, k_high - numbers_[0].starts[0]);
     if (hasFriction()) {
-      numbers_.push_back({"friction_stiffness", {2.0 * rise}});  // friction's F_max/z2
+      numbers_.push_back({"friction_stiffness", {2.0 * rise}});  // F_max/z2 of the friction
       numbers_.push_back({"friction_displacement", {0.3 * a_low, std::sqrt(a_low * a_high), 3.0 * a_high}});
     }
     if (hasMaxwell() || model_ == Model::multi_maxwell) {
@@ -370,7 +370,7 @@ class PointFit {
     const element::BergFriction friction(valueOf(logarithms, "friction_stiffness") * z2, z2, 0.0);
     const double amplitude = base.at("nominal_amplitude");
     const double omega = 2.0 * element::kPi * base.at("nominal_frequency");
-    double viscous = 0.0;  // loss stiffness [N/m]
+    double viscous = 0.0;  // viscous loss stiffness [N/m]
     if (model_ == Model::friction_dashpot) {
       viscous = omega * valueOf(logarithms, "damping");
     } else if (model_ == Model::berg) {

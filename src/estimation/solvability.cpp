@@ -15,8 +15,8 @@ namespace {
 
 struct ScanDensity {
   double decades;              // decades on either side of the given value
-  int points_per_decade;       // per decade of the scan
-  int near_points_per_decade;  // per decade of the distance to another input of the same unit
+  int points_per_decade;       // points per decade of the scan
+  int near_points_per_decade;  // points per decade of the distance to another input of the same unit
   double tolerance;            // relative error of a limit
 };
 

@@ -186,7 +186,7 @@ void checkGroup(const NamedModel& model, const Specification& specification, con
   }
 }
 
-// Checks high_frequency_stiffness, which replaces maximum_stiffness and needs its frequency.
+// Checks high_frequency_stiffness, which replaces maximum_stiffness and is valid at high_frequency.
 void checkHighFrequency(const NamedModel& model, const Specification& specification) {
   const bool stiffness = specification.has("high_frequency_stiffness");
   element::refuseIf(stiffness && !specification.has("high_frequency"),

@@ -23,12 +23,12 @@ namespace {
 constexpr double kFromEnd = 1e-9;     // share of an interval of K_n, whose limits have no solution
 constexpr double kAgreement = 1e-10;  // relative error of the loss or of the high-frequency stiffness
 constexpr int kMostSteps = 40;
-constexpr double kAnyAmplitude = 1e-3;  // [m]; for linear components, which do not depend on it
+constexpr double kAnyAmplitude = 1e-3;  // [m]; for linear components, which do not depend on the amplitude
 
 // Thrown if there is no solution.
 struct Unsolvable {
   Obstacle obstacle;
-  std::string accepted;  // accepted values, if they are known without a search
+  std::string accepted;  // accepted values, if known without a search
 };
 
 using Entries = std::vector<element::ElementDescription>;

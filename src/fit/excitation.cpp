@@ -15,7 +15,7 @@ namespace rubber_suspension::fit {
 namespace {
 
 // Distance between the limits of white noise that a million samples do not exceed.
-constexpr double kDeadBandOfNoise = 10.0;  // standard deviations
+constexpr double kDeadBandOfNoise = 10.0;  // in standard deviations
 
 // Rounds to the two digits with which a component file states the value.
 double inTwoDigits(double value) { return std::stod(fmt::format("{:.2g}", value)); }

@@ -43,7 +43,8 @@ Excitation summarise(const std::vector<gap::PreparedRecord>& records);
 /// Returns the force of a mass of 1 kg that moves with the displacement [N], by central differences.
 Eigen::VectorXd acceleration(const log::Record& record);
 
-/// Returns the filter bandwidth [Hz] with which an inertia on recorded displacement has the least error (0: no filter).
+/// Returns the filter bandwidth [Hz] with which an inertia on recorded displacement has the least error; 0 without
+/// filter.
 double massBandwidth(const std::vector<gap::PreparedRecord>& records, double highest_frequency);
 
 }  // namespace rubber_suspension::fit

@@ -13,7 +13,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// Returns true if the force of a component without its mean depends on the centre of the motion.
+// Returns true if the force of a component, apart from the mean force, depends on the centre of the motion.
 bool dependsOnPlace(const std::vector<element::ElementDescription>& elements, const log::Record& record) {
   constexpr Eigen::Index kSamples = 400;
   constexpr double kAside = 0.2;  // share of the amplitude

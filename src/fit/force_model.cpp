@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kSearchReach = 1e3;  // factor above and below the given value where the log implies no scale
 constexpr double kStartReach = 10.0;
-constexpr double kNanoseconds = 1e9;  // nanoseconds in a second
+constexpr double kNanoseconds = 1e9;
 
 // Scales that follow from rate, length and amplitude of the logs.
 struct LogScales {

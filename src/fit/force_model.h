@@ -15,7 +15,7 @@ namespace rubber_suspension::fit {
 
 /// Range in which a parameter is searched.
 struct Reach {
-  double lower;  ///< limits of the search
+  double lower;  ///< lower and upper limit of the search
   double upper;
   double start_lower;  ///< range of the random starts
   double start_upper;
@@ -40,7 +40,7 @@ double amplitudeOf(const std::vector<log::Log>& logs);
 
 /// The samples at which measured and simulated force are compared.
 struct Compared {
-  std::vector<Eigen::Index> rows;  ///< indices among all samples
+  std::vector<Eigen::Index> rows;  ///< indices of the compared samples among all samples
   std::vector<Eigen::Index> runs;  ///< lengths of runs without time gaps; the noise of different runs is independent
   Eigen::VectorXd force;           ///< [N]
 };
@@ -93,12 +93,12 @@ class ForceModel final : public numerics::SumOfSquares {
  private:
   // Elements that are simulated together, for one column of the basis or for the unscaled force.
   struct Part {
-    std::vector<element::ElementDescription> elements;  // one element, or all if they affect each other
+    std::vector<element::ElementDescription> elements;  // one element, or all elements if they affect each other
     std::vector<Eigen::Index> unknowns;                 // nonlinear parameters on which the part depends
     Eigen::Index column = -1;                           // index in the basis; -1 for the unscaled force
     Eigen::VectorXd values = {};                        // values of the parameters when the part was last simulated
     bool simulated = false;
-    Eigen::VectorXd force = {};  // unscaled force
+    Eigen::VectorXd force = {};  // force of the unscaled elements
   };
   using Force = Eigen::Ref<Eigen::VectorXd>;
   using Elements = std::vector<element::ElementDescription>;

@@ -113,7 +113,7 @@ gap::PreparedRecord PerLogNuisances::addedTo(const gap::PreparedRecord& record, 
 
 gap::Forces byZero(const std::vector<element::ElementDescription>& elements,
                    const std::vector<gap::PreparedRecord>& records) {
-  constexpr double kStep = 0.1;  // standard deviations
+  constexpr double kStep = 0.1;  // in standard deviations
   gap::Forces columns = gap::simulate(elements, records);
   const auto moved = gap::simulate(elements, records, [&](const gap::PreparedRecord& record) -> Eigen::VectorXd {
     return record.displacement.array() - kStep * record.rig.displacement_zero;

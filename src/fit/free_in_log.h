@@ -25,7 +25,7 @@ constexpr Eigen::Index kTrendsPerLog = 9;
 /// friction, force offset, gain.
 struct PerLogNuisances {
   bool trend = false;   ///< ramp and half cosines
-  bool offset = false;  ///< force offset, in units of its standard deviation
+  bool offset = false;  ///< force offset, in units of the offset's standard deviation
   bool gain = false;    ///< gain of the force channel
   /// Force of each log [N] due to a displacement offset, from byZero(); null if this offset is not fitted.
   ForceColumn by_zero = nullptr;

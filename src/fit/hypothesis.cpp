@@ -63,7 +63,7 @@ void addTerms(const std::vector<Candidate>& candidates, int candidate, const std
   }
 }
 
-// Returns the contained law that a candidate extends: if possible one that others do not, and first of `preferred`.
+// Returns the contained law that a candidate extends, rather one that no other extends, in the order of `preferred`.
 std::optional<int> heldBy(const std::vector<Candidate>& candidates, int larger, const std::vector<int>& preferred,
                           const std::vector<int>& by_others) {
   const std::vector<int> contained = containedBy(candidates, candidates[static_cast<std::size_t>(larger)]);

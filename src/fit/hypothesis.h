@@ -43,7 +43,7 @@ struct BasisTerm {
   bool hasUnitEffect() const { return additive || softening; }
 };
 
-/// A stiffness that grows with the displacement.
+/// A stiffness that grows with the displacement. Some laws can scale with the slope of such a curve.
 struct Curve {
   double growth = 0.0;  ///< ln of the stiffness at the largest displacement over that at 0
   double side = 0.0;    ///< 1: grows in tension only, -1: in compression only, 0: in both
@@ -72,7 +72,7 @@ struct Candidate {
   std::function<std::vector<BasisTerm>(double)> terms_at = nullptr;
   double least_shape = 0.0;
   double largest_shape = 0.0;
-  /// Returns terms of a law along a curve, which replace `terms` and have one more parameter; null if there are none.
+  /// Returns the terms of a law that scales with a curve, to replace `terms` with one more parameter; may be null.
   std::function<std::vector<BasisTerm>(const Curve&)> along = nullptr;
   std::vector<BasisTerm> curved = {};  ///< terms along the best curve; empty if no curve justifies a further parameter
   /// Further laws of few parameters, at points where fits may start. After the verdict one of these laws, or a few of
@@ -105,7 +105,7 @@ struct Hypothesis {
   std::vector<int> members;       ///< indices of the candidates, ascending
   std::vector<BasisTerm> terms;   ///< terms of all candidates, in the order of `members`
   std::vector<TermPlace> places;  ///< candidate and index of each term
-  /// Number of terms of each candidate, including terms that it contains, but without terms of an earlier candidate.
+  /// Number of terms of each candidate, with the terms of contained effects and without terms of an earlier candidate.
   std::vector<std::size_t> counts;
   std::vector<int> held;        ///< contained candidates whose terms the hypothesis also has
   std::vector<int> curved;      ///< candidates, including contained ones, whose terms follow a curve
@@ -127,7 +127,7 @@ struct Hypothesis {
 
 /// Returns the hypothesis with the candidates `members`. If a candidate contains several laws, it extends only one of
 /// them, preferably the first of `preferred`. Otherwise it would be no simpler than all these laws together. `curved`:
-/// candidates whose terms follow their curve (Candidate::curved).
+/// candidates whose terms follow a curve (Candidate::curved).
 Hypothesis makeHypothesis(const std::vector<Candidate>& candidates, const std::vector<int>& members,
                           const std::vector<int>& preferred = {}, const std::vector<int>& curved = {});
 

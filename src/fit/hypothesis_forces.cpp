@@ -202,8 +202,8 @@ ForceColumn HypothesisForces::moved(const Place& place, Eigen::VectorXd Paramete
   }));
 }
 
-// Returns the entries of the nonzero terms that act on the displacement if all other terms follow from unit effects
-// behind them. Otherwise, and for excerpts, whose lead-in has its own time step, returns an empty vector.
+// Returns the entries of the nonzero terms that act on the displacement if the effects of all other terms behind them
+// are known. Returns an empty vector otherwise, and for excerpts, whose lead-in has its own time step.
 std::vector<element::ElementDescription> HypothesisForces::pathOf(const Place& place) const {
   if (!records_ || place.hypothesis.law || !place.interaction.displaces || of_model_.displaces || of_model_.scales ||
       of_model_.on_rig || std::any_of(records().begin(), records().end(), [](const log::Record& record) {

@@ -74,7 +74,7 @@ class HypothesisForces {
   /// Returns true if the effect of a term on the force follows from its unit effect, without simulation.
   static bool isKnown(const BasisTerm& term, const Interaction& interaction);
 
-  /// Returns the derivative with respect to a term's scale; approximate if that is 0 and others displace the component.
+  /// Returns the derivative with respect to a term's scale; approximate at scale 0 if others displace the component.
   ForceColumn termColumn(const Place& place, std::size_t term) const;
   /// Returns the difference quotient with respect to one of the parameters.
   ForceColumn moved(const Place& place, Eigen::VectorXd ParameterVector::* part, Eigen::Index parameter,

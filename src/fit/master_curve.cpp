@@ -109,7 +109,7 @@ VectorXd stiffnessesOf(const Eigen::MatrixXd& basis, const VectorXd& measured) {
 // Rows of one amplitude and mean displacement.
 struct Group {
   std::vector<Eigen::Index> rows;
-  VectorXd frequencies;  // log10 of Hz
+  VectorXd frequencies;  // log10 of the frequency in Hz
   VectorXd scale;        // |K*| [N/m]
   VectorXd measured;     // K*/|K*|: real parts, then imaginary parts
 
@@ -150,7 +150,7 @@ struct Shifted {
   VectorXd unknowns;
   VectorXd deviations;
   Moves moves;
-  double misfit = 0.0;       // RMS over the rows
+  double misfit = 0.0;       // RMS misfit of the rows
   double information = 0.0;  // Bayesian information criterion
   bool inside = true;        // true if no parameter is at its limit
 };
@@ -351,7 +351,7 @@ class Superposition {
   }
 
   std::optional<Shifted> byWlf(double energy) const {
-    constexpr double kSlowest = 0.1;  // lower limit of C_1
+    constexpr double kSlowest = 0.1;  // lower limit of C_1 in the law of Williams, Landel and Ferry
     constexpr double kMost1 = 100.0;  // upper limit of C_1 in the element
     constexpr double kMost2 = 1000.0;
     const double below = std::max(0.0, reference_ - levels_.front().temperature);
@@ -434,7 +434,7 @@ class Superposition {
   double reference_;
   std::vector<double> temperatures_;  // temperature of each row
   std::vector<Group> groups_;
-  VectorXd frequencies_;               // log10 of Hz
+  VectorXd frequencies_;               // log10 of the frequency in Hz
   std::vector<std::size_t> level_of_;  // level of each row
   std::vector<Level> levels_;          // ordered from cold to warm
 };

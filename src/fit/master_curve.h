@@ -25,7 +25,7 @@ struct FoundShift {
 
 /// A constant of the law of the shifts, with its uncertainty.
 struct ShiftConstant {
-  std::string name;  ///< key of the law
+  std::string name;  ///< key of the law's parameter
   double value = 0.0;
   double deviation = 0.0;  ///< standard deviation of the constant's logarithm
 };

@@ -215,7 +215,7 @@ ModelParameters::Point ModelParameters::movedBy(const Eigen::VectorXd& logarithm
 
 ModelParameters::Point ModelParameters::pointAt(const Eigen::VectorXd& logarithms) const {
   if (logarithms.isZero(0.0)) {
-    return configured_;  // equal bit by bit
+    return configured_;  // unchanged bit by bit
   }
   Point point = movedBy(logarithms);
   if (point.relaxation.elements > 0) {

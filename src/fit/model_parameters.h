@@ -55,8 +55,8 @@ class ModelParameters {
   /// Returns the numbers that are known beforehand: first those of the data sheet, then parameters of single elements.
   const std::vector<KnownNumber>& known() const { return known_; }
 
-  /// Returns the departure of each known number from its known value, in standard deviations of its logarithm. The
-  /// squares add up to chi^2. Defined also for points without a component.
+  /// Returns the departure of each known number from its known value, in standard deviations of the logarithm. The
+  /// squares add up to chi^2. Also defined for points without a component.
   Eigen::VectorXd departures(const Eigen::VectorXd& logarithms) const;
 
   /// Returns the derivatives of departures() with respect to the logarithms; each row belongs to a known number.
@@ -79,7 +79,7 @@ class ModelParameters {
   std::optional<std::vector<element::ElementDescription>> elements(const Eigen::VectorXd& logarithms) const;
 
   /// Returns the changes that the user would have to write: the ratio of new to old value for every number that differs
-  /// in the specification or the elements. Defined also for points without a component, which may result from a fit to
+  /// in the specification or the elements. Also defined for points without a component, which may result from a fit to
   /// a single log.
   std::vector<std::pair<std::string, double>> ratios(const Eigen::VectorXd& logarithms) const;
 

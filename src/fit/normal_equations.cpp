@@ -110,7 +110,7 @@ BlockGrams BlockGrams::of(const std::vector<Eigen::Index>& unknowns) const {
 struct LogBlocks::Request {
   const gap::Forces& base;
   const std::vector<ForceColumn>& columns;
-  PerLogNuisances free;  // union over all results
+  PerLogNuisances free;  // nuisance parameters that any result needs
   Kept kept;
   Eigen::Index width;  // number of columns, with the residual
   Places fresh;        // indices of columns to be multiplied by all others

@@ -38,7 +38,7 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
       workers.emplace_back(work);
     }
   } catch (const std::system_error&) {
-    // If no further thread can be started, the running threads do its part.
+    // If no further thread can be started, the running threads take over its iterations.
   }
   work();
   for (std::thread& worker : workers) {

@@ -20,9 +20,9 @@ namespace {
 using element::ResidualBasis;
 
 constexpr double kMostRows = 40000.0;      // equations; more are redundant, because neighbouring samples are similar
-constexpr std::size_t kPoints = 32;        // points of the characteristic
+constexpr std::size_t kPoints = 32;        // number of points of the characteristic
 constexpr double kWidestStop = 0.7;        // share of the stroke; wider stops hardly reverse
-constexpr double kNarrowestStop = 0.02;    // share of the stroke
+constexpr double kNarrowestStop = 0.02;    // share of the stroke below which no stop is tried
 constexpr double kNoiseInStop = 6.0;       // dead band in standard deviations of the sensor's noise
 constexpr double kLowestResonance = 0.2;   // share of the highest frequency of the motion
 constexpr double kHighestResonance = 1.3;  // share of the highest frequency; the motion excites no higher resonances

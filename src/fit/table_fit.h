@@ -12,9 +12,9 @@
 namespace rubber_suspension::fit {
 
 struct FittedParameter {
-  std::string name;        ///< for example "friction[1].maximum_force"
-  double given = 0.0;      ///< value at which the fit began
-  double value = 0.0;      ///< fitted value
+  std::string name;    ///< for example "friction[1].maximum_force"
+  double given = 0.0;  ///< value at which the fit began
+  double value = 0.0;
   bool determined = true;  ///< false if at a bound, or if the standard deviation of its logarithm exceeds ln(2)/1.96
   double deviation = 0.0;  ///< standard deviation of its logarithm if the model is right; infinite if no row shows it
 };

@@ -116,7 +116,7 @@ std::complex<double> TableLoops::derivative(std::size_t row, const Eigen::Vector
   const std::complex<double> stiffness = stiffnessOfLoop(point, force);
   const double magnitude = (column[kBefore + high] - column[kBefore + low]) / (2.0 * point.amplitude);
   const double loss = lossStiffness(point, column);
-  // Without storage stiffness, as for Coulomb friction alone, the derivative is infinite; 1 % keeps it finite.
+  // Without storage stiffness, as for Coulomb friction alone, the derivative is infinite; 1 % avoids this.
   const double storage = std::max(std::abs(stiffness.real()), 0.01 * std::abs(stiffness));
   return {(std::abs(stiffness) * magnitude - stiffness.imag() * loss) / storage, loss};
 }

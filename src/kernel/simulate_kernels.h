@@ -266,7 +266,7 @@ class Portion {
   }
 
  private:
-  static constexpr std::size_t kRoom = kMostMaxwells;  // space for the lag
+  static constexpr std::size_t kRoom = kMostMaxwells;  // space for kLag numbers
 
   __attribute__((always_inline)) void prepare(const LogSteps& steps, std::size_t from, std::size_t count) {
     const double* displacement = steps.displacement + first_ + from;

@@ -9,7 +9,7 @@ inline Lanes smaller(const Lanes& one, const Lanes& other) { return select(one <
 /// of half the remainder is computed and squared.
 inline Lanes fallen(const Lanes& x) {
   constexpr double kMost = 700.0;          // for larger x the result is negligible
-  constexpr double kToInteger = 0x1.8p52;  // its last bits count integers
+  constexpr double kToInteger = 0x1.8p52;  // the last bits of a sum with this number are an integer
   constexpr double kHighLn2 = 6.93147180369123816490e-01;
   constexpr double kLowLn2 = 1.90821492927058770002e-10;
   const Lanes at = smaller(x, spread(kMost));

@@ -149,7 +149,7 @@ using Explanation = std::optional<Explained>;
 struct Shown {
   Configured& configured;
   const log::Record& record;
-  Explanation own = std::nullopt;  // likeliest explanation by this log alone
+  Explanation own = std::nullopt;  // likeliest explanation from this log alone
   VectorXd simulated = {};
   std::vector<Octave> octaves = {};
   std::vector<Octave> expected = {};  // spectrum of the simulated force
@@ -299,7 +299,7 @@ Explanation deadChannel(const Shown& log) {
 
 Explanation tooShort(const Shown& log) {
   constexpr Index kFewestMoving = 30;
-  constexpr double kFewestPerCycle = 4.0;  // samples
+  constexpr double kFewestPerCycle = 4.0;  // samples per cycle
   const log::Record& record = log.record;
   const Index count = record.size();
   const VectorXd step = (record.displacement.tail(count - 1) - record.displacement.head(count - 1)).cwiseAbs();
@@ -343,7 +343,7 @@ Explanation rectified(const Shown& log) {
 // Finds a force that is small noise and follows neither the displacement nor, like friction, the direction of motion.
 Explanation silent(const Shown& log) {
   constexpr double kNothing = 0.05;    // share of the simulated force
-  constexpr double kUnrelated = 0.15;  // correlation
+  constexpr double kUnrelated = 0.15;  // magnitude of a correlation
   const log::Record& record = log.record;
   const Index count = record.size();
   const Index lag = std::clamp<Index>(std::lround(log.period / 8.0), 1, count - 1);
@@ -452,7 +452,7 @@ Explanation turnedPhases(const Shown& log) {
   // short. Delays within the range of the effect time_delay are not reported here.
   constexpr double kMostBehind = 15.0;     // samples; the longer of this and the next limit applies
   constexpr double kLongestBehind = 0.03;  // [s]
-  constexpr double kMostAhead = 4.0;       // samples
+  constexpr double kMostAhead = 4.0;       // limit of a leading force [samples]
   constexpr double kClearlyLate = 0.124;   // share of a period; a longer delay competes with sign and columns
   const bool as_stiff = log.isElastic() && log.configured.sheet.plausible(log.ratio);
   const bool only_delay = as_stiff && !looksSwapped(log);

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kLongestSpike = 2;   // samples
+constexpr Index kLongestSpike = 2;   // samples of a spike
 constexpr double kSpikeLimit = 6.0;  // standard deviations from the prediction; beyond chance, also in 1/f noise
 // If more samples are spikes, they are part of the signal rather than a fault of a cable.
 constexpr double kMostSpikes = 0.01;
@@ -133,7 +133,7 @@ struct Hole {
   Index begin;
   Index width;
   double size;        // deviation of the sample that stands out most, with its sign
-  double prediction;  // value of that sample predicted from its neighbours
+  double prediction;  // predicted value of the sample that stands out most
 };
 
 // Returns how far samples exceed three straight lines through their neighbours (left, right and across), if they do so

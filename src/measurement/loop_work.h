@@ -25,8 +25,8 @@ double typicalPhase(const Eigen::VectorXd& displacement);
 /// Spectrum of displacement and force in one window over one octave, from the lines that the displacement excites.
 struct Octave {
   double frequency = 0.0;          ///< cycles per sample
-  std::complex<double> cross = 0;  ///< conj(Z) F
-  double power = 0.0;              ///< |Z|^2
+  std::complex<double> cross = 0;  ///< cross-spectrum conj(Z) F of displacement Z and force F
+  double power = 0.0;              ///< power |Z|^2 of the displacement
 };
 
 /// Cross-spectrum over half-overlapped Hann windows of a quarter of the log.

@@ -72,7 +72,7 @@ struct Differences {
 };
 
 bool hasRepeat(const VectorXd& z, Index begin, Index lag) {
-  constexpr double kSameMotion = 0.02;  // share of the cycle's RMS
+  constexpr double kSameMotion = 0.02;  // largest difference between cycles, as a share of the RMS
   if (begin + 3 * lag > z.size() || lag < 4) {
     return false;
   }

@@ -27,7 +27,7 @@ constexpr double kWhiteShare = 1e-3;
 
 // One first-order process of the 1/f part.
 struct SlowPart {
-  double pole;      // pole per sample
+  double pole;      // factor per sample
   double variance;  // share of the variance of the 1/f part
 };
 

@@ -385,7 +385,7 @@ double RigModel::tolerance(Nuisance nuisance, const log::Record& record) const {
 }
 
 double RigModel::prior(Nuisance nuisance, const gap::PreparedRecord& record) const {
-  constexpr double kAnyZero = 100.0;  // times the range of the force
+  constexpr double kAnyZero = 100.0;  // multiple of the range of the force
   constexpr double kAnyGain = 1.0;
   if (nuisance == Nuisance::gain && record.own.gain) {
     return kAnyGain;

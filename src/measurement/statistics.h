@@ -34,7 +34,7 @@ inline double meanSquare(const Eigen::VectorXd& signal, const Mask& mask) {
 /// Replaces the samples that do not count by linear interpolation between those that do, or by 0 if none does.
 inline void bridge(Eigen::Ref<Eigen::VectorXd> values, const Mask& mask) {
   const Eigen::Index count = mask.size();
-  Eigen::Index last = -1;  // last sample that counts
+  Eigen::Index last = -1;  // index of the last sample that counts
   for (Eigen::Index i = 0; i <= count; ++i) {
     if (i < count && !mask[i]) {
       continue;

@@ -12,8 +12,8 @@
 namespace rubber_suspension::numerics {
 namespace {
 
-// Ridge relative to the unit diagonal of the scaled Gram matrix. Without it collinear columns could have large opposed
-// coefficients that depend on rounding alone.
+// Ridge relative to the unit diagonal of the scaled Gram matrix. Without a ridge, collinear columns could have large
+// opposed coefficients that depend on rounding alone.
 constexpr double kRidge = 1e-9;
 constexpr double kGradientTolerance = 1e-11;
 

@@ -11,7 +11,7 @@ namespace rubber_suspension::numerics {
 struct BlockProducts {
   Eigen::MatrixXd sum;                        ///< sum of all blocks
   std::vector<Eigen::MatrixXd> without_fold;  ///< sum of all blocks outside of each fold
-  std::vector<Eigen::MatrixXd> in_sample;     ///< products of each block; they add up to `sum`
+  std::vector<Eigen::MatrixXd> in_sample;     ///< products of each block, which add up to `sum`
   std::vector<Eigen::MatrixXd> held_out;      ///< products of each block, with its variables estimated from other folds
 };
 

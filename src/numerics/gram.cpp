@@ -29,7 +29,7 @@ std::vector<const double*> block(const Eigen::Ref<const Eigen::MatrixXd>& column
   const Eigen::Index count = std::min(kBlock, columns.rows() - first);
   const bool whole = count == kBlock;
   copy.assign(static_cast<std::size_t>((whole ? 1 : columns.cols() + 1) * kBlock), 0.0);
-  std::vector<const double*> places(tiles * kTile, copy.data());  // the first copy contains zeros
+  std::vector<const double*> places(tiles * kTile, copy.data());  // the first block of `copy` contains zeros
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
     const double* const samples = columns.col(j).data() + first;
     double* const to = copy.data() + (whole ? 0 : j + 1) * kBlock;

@@ -20,7 +20,7 @@ namespace rubber_suspension::component {
 /// few cache lines.
 class alignas(kernel::kCacheLine) ComponentState {
  public:
-  double displacement() const { return displacement_; }  ///< at the last sample [m]
+  double displacement() const { return displacement_; }  ///< displacement at the last sample [m]
   std::vector<double> memory() const { return {memory_.begin(), memory_.end()}; }
   bool isFinite() const {
     return std::all_of(memory_.begin(), memory_.end(), [](double number) { return std::isfinite(number); });
@@ -55,7 +55,7 @@ class alignas(kernel::kCacheLine) ComponentState {
   kernel::PreparedStep prepared_;  // derived and not saved; has a branch only for a component of the kernel alone
   // Memory of all elements, one after the other; mostly inline, on cache lines next to the coefficients.
   boost::container::small_vector<double, 16> memory_;
-  Trial trial_;  // not saved
+  Trial trial_;  // not part of the saved memory
 };
 
 /// Linearisation of one step about its end, for implicit integrators: dF/dz at the end of the step is stiffness +

@@ -9,7 +9,7 @@ namespace rubber_suspension::component {
 
 /// Static load of a direction, which defines the working point of its specification and of its tables.
 struct Preload {
-  bool is_force = true;  ///< a displacement if false
+  bool is_force = true;  ///< true for a force, false for a displacement
   double value = 0.0;    ///< [N, N m], or [m, rad]
 };
 
@@ -18,7 +18,7 @@ struct Preload {
 struct PreloadTable {
   Direction direction = kX;      ///< direction whose forces are scaled
   Direction by = kZ;             ///< direction whose preload determines the factor
-  std::vector<Preload> preload;  ///< points, increasing
+  std::vector<Preload> preload;  ///< points of the table, increasing
   std::vector<double> factor;    ///< factor at each point; linear between points, constant beyond them
 
   /// Returns the factor for a preload [N, N m, m, rad] of the same kind as the points.

@@ -82,7 +82,7 @@ class SeriesBalance {
   double tension_opens_ = kNever;      // tensile force beyond which a contact opens [N]
   double compression_opens_ = kNever;  // magnitude of the compressive force beyond which a contact opens [N]
   element::SeriesElement::Compliance sides_{0.0, 0.0};  // sums over the elements that are linear on each side
-  std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // all other elements
+  std::vector<std::shared_ptr<const element::SeriesElement>> hardening_;  // elements that harden
 };
 
 }  // namespace rubber_suspension::component

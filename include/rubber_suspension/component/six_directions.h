@@ -26,7 +26,7 @@ inline bool isRotation(Direction direction) { return direction >= kRx; }
 
 /// Coupling of the three translations, or of the three rotations.
 enum class Coupling {
-  rectangular,  ///< no coupling
+  rectangular,  ///< the directions are independent
   cylindrical,  ///< the two directions perpendicular to an axis are coupled by their radius
   spherical,    ///< all three directions are coupled by their radius
 };
@@ -70,8 +70,8 @@ struct BushForce {
 
 /// Wrenches of the bush on the bodies, in A's axes.
 struct Reactions {
-  Wrench on_a;  ///< about A's origin: (F, M + d x F), with B's origin at d
-  Wrench on_b;  ///< about B's origin: (-F, -M)
+  Wrench on_a;  ///< wrench about A's origin: (F, M + d x F), with B's origin at d
+  Wrench on_b;  ///< wrench about B's origin: (-F, -M)
 };
 
 /// Linearisation of one step about its end. The derivative of the wrench with respect to a small motion (translation of

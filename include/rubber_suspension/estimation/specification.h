@@ -54,7 +54,7 @@ std::string toString(Describes describes);
 /// One measured point of a component, to which a model is fitted.
 struct SpecifiedPoint {
   double frequency = 0.0;            ///< [Hz]
-  double amplitude = 0.0;            ///< [m]; 0 if not given
+  double amplitude = 0.0;            ///< [m]; 0 if no amplitude is given
   std::optional<double> stiffness;   ///< [N/m]
   std::optional<double> loss_angle;  ///< [rad]
   double weight = 1.0;
@@ -62,8 +62,8 @@ struct SpecifiedPoint {
 
 /// Tolerances of the numbers of a data sheet, as standard deviations of their logarithms.
 struct SheetTolerance {
-  static constexpr double kUsual = 0.1;                ///< if the user gives none
-  static constexpr double kGuess = 2.302585092994046;  ///< ln 10: correct within an order of magnitude
+  static constexpr double kUsual = 0.1;                ///< tolerance if the user gives none
+  static constexpr double kGuess = 2.302585092994046;  ///< ln 10: the value is right to an order of magnitude
 
   std::optional<double> of_all = {};
   std::map<std::string, double, std::less<>> by_key = {};  ///< tolerances of single numbers, which take precedence

@@ -10,7 +10,7 @@ namespace rubber_suspension::estimation {
 /// Points of force over displacement, interpolated linearly and extrapolated with the slopes at the ends. Displacement
 /// and force are absolute, as in topics and logs.
 struct StaticCurve {
-  std::vector<double> displacement;  ///< increasing [m]
+  std::vector<double> displacement;  ///< increasing values [m]
   std::vector<double> force;         ///< [N]
   bool monotone = false;             ///< true if a decreasing force is rejected
   bool scales = true;  ///< true if Maxwell elements and dashpots scale with the slope of the curve at each displacement
@@ -24,7 +24,7 @@ struct StaticCurve {
   /// Returns the slope [N/m]. At a point of the curve it is the mean of the slopes on both sides.
   double tangentAt(double displacement) const;
 
-  /// Returns the displacement [m] for a force [N]. Throws std::invalid_argument if there is none, or more than one.
+  /// Returns the displacement [m] for a force [N]. Throws std::invalid_argument if there are none or several.
   double displacementAt(double force) const;
 
   /// Returns the slope between each two neighbouring points [N/m].

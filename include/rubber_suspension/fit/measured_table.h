@@ -26,7 +26,7 @@ struct MeasuredTable {
   std::string name;
   std::vector<TablePoint> points;
   std::vector<std::string> notes;  ///< notes of the reader, for example on ignored columns
-  /// RMS of |K*_measured - K*_true|/|K*| of a row, if the laboratory states it.
+  /// RMS of |K*_measured - K*_true|/|K*| of a row, if the laboratory states this uncertainty.
   std::optional<double> uncertainty = std::nullopt;
   bool accept_units = false;  ///< true if the units of the stiffness are not checked
 };

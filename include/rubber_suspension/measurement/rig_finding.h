@@ -36,7 +36,7 @@ inline constexpr const char* kTooShort = "too_short";
 struct RigFinding {
   std::string log;
   std::string finding;                             ///< one of the names above
-  double value = 0.0;                              ///< size, in `unit`
+  double value = 0.0;                              ///< size of the error, in `unit`
   std::array<double, 2> interval_95 = {0.0, 0.0};  ///< interval of `value`; both limits are `value` for a count
   std::string unit;                                ///< "1" for shares, factors and counts
   bool fatal = false;             ///< a wrong sign, unit, column or component: verdict check_bench, no effect is named
