@@ -110,7 +110,7 @@ class Whole {
   }
 
  private:
-  // Sets the other numbers of a base with this K_n. Returns false if there is no solution.
+  // Sets the remaining numbers of a base with the given K_n. Returns false if there is no solution.
   using Complete = std::function<bool(Specification& base, double stiffness)>;
 
   double frequency() const { return given_.at("nominal_frequency"); }

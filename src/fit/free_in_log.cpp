@@ -60,7 +60,7 @@ Eigen::MatrixXd PerLogNuisances::columns(const log::Record& record, std::size_t 
 
 Eigen::VectorXd PerLogNuisances::costs(const gap::PreparedRecord& record) const {
   constexpr double kWalk = 0.1;  // standard deviation of the trend, relative to the force
-  constexpr double kGain = 0.5;  // standard deviation of gains and friction's factor; favours a law of the same effect
+  constexpr double kGain = 0.5;  // standard deviation of gains and friction's factor; prefers a law of the same effect
   constexpr double kBelowMotion = 0.5;  // share of the motion's lowest frequency; faster forces are the component's
   constexpr double kNone = 1e6;         // cost that excludes a half cosine
   Eigen::VectorXd costs = Eigen::VectorXd::Zero(count());

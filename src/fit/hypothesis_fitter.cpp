@@ -10,13 +10,13 @@
 namespace rubber_suspension::fit {
 namespace {
 
-constexpr double kEnoughGain = 1e-3;  // smallest relative reduction of the gap for a further step
-constexpr double kSlow = 0.2;  // share of the reduction still needed; smaller steps would need over five further steps
+constexpr double kEnoughGain = 1e-3;       // smallest relative reduction of the gap for a further step
+constexpr double kSlow = 0.2;              // least share of the reduction still needed that a step has to achieve
 constexpr int kMostHalvings = 6;           // halvings of a step that does not reduce the cost
 constexpr double kNegligibleScale = 1e-9;  // share of the typical scale; a term of a smaller scale is omitted
 
-// Returns the mean offset (or gain) of the logs that the parameters do not explain. `of_columns`: the mean offset of
-// each column of the least-squares system, the last of which is the residual.
+// Returns the mean offset (or gain) of the logs that the parameters do not explain. `of_columns`: mean offset to which
+// each column of the least-squares system is equivalent; the last column is the residual.
 double meanLeft(const Eigen::VectorXd& of_columns, const Eigen::VectorXd& unknowns) {
   const Eigen::Index last = unknowns.size();
   return of_columns[last] - of_columns.head(last).dot(unknowns);

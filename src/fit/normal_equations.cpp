@@ -21,7 +21,7 @@ constexpr double kCyclesPerBlock = 4.0;  // cycles per block; residuals are corr
 constexpr double kMostBlocks = 24.0;
 constexpr double kFewestBlocks = 8.0;
 constexpr double kBlocksOfAll = 480.0;  // blocks of all logs; many logs predict each other, so that each needs fewer
-constexpr double kBlocksOfOne = 2.0;    // blocks of one log; one determines the log's parameters, one gives the error
+constexpr double kBlocksOfOne = 2.0;    // blocks of one log: one for its parameters, the other to measure the error
 
 using Places = std::vector<Eigen::Index>;
 

@@ -25,7 +25,7 @@ struct BlockGrams {
   std::vector<int> fold;                  ///< fold of each entry of `held_out`
   std::vector<int> record;
   std::vector<double> weight;  ///< share of each entry of `held_out` in all samples, weighted
-  Eigen::MatrixXd prior;       ///< products of the prior of the model parameters
+  Eigen::MatrixXd prior;       ///< contribution of the prior of the model parameters
   Eigen::VectorXd squares;     ///< sum of squares of each column over all blocks, with errors of the rig
   std::size_t blocks = 0;
   /// Means over the logs of force offset [N] and gain to which each column is equivalent; empty if not fitted.

@@ -253,8 +253,8 @@ RigFinding swapFinding(const Shown& log) {
       log.measured.stiffness, log.simulated_slope.stiffness, log.work_forward);
 }
 
-// Returns true if a constant force may be the force of an open contact: no force is smaller, and its displacements lie
-// beyond all displacements with a larger force.
+// Returns true if a constant force may be the force of an open contact: no force is smaller, and all displacements with
+// a larger force lie on one side of the displacements with this force.
 bool isOfASlackContact(const log::Record& record, const DeadPart& dead) {
   const auto part = [&](const VectorXd& column) { return column.segment(dead.begin, dead.end - dead.begin).array(); };
   const double still = 0.01 * rangeOf(record.force);  // twice the range of a part that is at rest

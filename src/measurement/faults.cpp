@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr Index kLongestSpike = 2;   // samples of a spike
-constexpr double kSpikeLimit = 6.0;  // standard deviations from the prediction; beyond chance, also in 1/f noise
+constexpr double kSpikeLimit = 6.0;  // standard deviations from the prediction, which noise hardly ever exceeds
 // If more samples are spikes, they are part of the signal rather than a fault of a cable.
 constexpr double kMostSpikes = 0.01;
 // If a sine lacks a fifth of its samples at a peak, it lacks a tenth of its range. Stiffness and loss at the largest

@@ -282,7 +282,7 @@ bool significantAt(const RigFit& fit, const std::vector<Index>& columns) {
   return significant(fit.values(columns), fit.covariance(columns, columns));
 }
 
-// Returns true if the RMS of errors over the whole log, or over the duration of a start in motion, is large enough.
+// Returns true if the RMS of errors over the whole log, or over the duration of a start in motion, is worth reporting.
 bool matters(const RigFit& fit, const std::vector<Index>& columns) {
   VectorXd part = VectorXd::Zero(fit.residual.size());
   bool start = false;
