@@ -44,7 +44,7 @@ Acceptance StampedStream::judge(std::int64_t stamp, bool finite) const {
 void StampedStream::count(Acceptance acceptance) {
   counters_.accepted += isAccepted(acceptance) ? 1 : 0;
   if (acceptance == Acceptance::accepted) {
-    return;  // the usual case; another order of branches would cost a mispredicted jump
+    return;  // the usual case; another order of branches would be slower
   }
   switch (acceptance) {
     case Acceptance::accepted:
@@ -204,7 +204,7 @@ bool SampleStream::setTemperature(double temperature) {
     return false;
   }
   component_.setTemperature(state_, temperature);
-  save();  // so that only steps after the change of temperature are repeated
+  save();  // only steps after the change of temperature can be repeated
   return true;
 }
 

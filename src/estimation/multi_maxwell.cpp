@@ -27,7 +27,7 @@ constexpr int kBandSteps = 60;
 
 // The inputs of the specification, which are looked up only once.
 struct Inputs {
-  const Specification& specification;  // for inputs that are used once, and for messages
+  const Specification& specification;  // source of inputs that are used once, and of messages
   double static_stiffness;
   double dynamic_stiffness;
   double nominal_frequency;

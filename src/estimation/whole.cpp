@@ -235,7 +235,7 @@ class Whole {
   // Finds K_n for a loss stiffness [N/m] of the base. Returns the relative error of the component's loss stiffness.
   double solveLoss(Specification& base, double loss) const {
     solveStiffness(base, [&](Specification& trial, double stiffness) {
-      const double sine = loss / stiffness;  // the tangent for M1, whose K_n is the storage stiffness
+      const double sine = loss / stiffness;  // sin(delta); for M1, whose K_n is the storage stiffness, tan(delta)
       const double angle = model_ == Model::kelvin_voigt ? std::atan(sine) : std::asin(sine);
       const bool angular = given_.has("loss_angle");
       const double damping = 0.5 * std::tan(angle);
@@ -325,7 +325,7 @@ class Whole {
 
   Model model_;
   const Specification& given_;
-  Specification base_;  // K_n and the second number are still the values of the component
+  Specification base_;  // K_n and the second number still have the values of the component
   Entries add_;
   double mean_ = 0.0;
   std::optional<Obstacle> obstacle_;

@@ -48,7 +48,7 @@ struct Compared {
 /// The coefficients of the basis that are optimal at some search coordinates.
 struct ModelFit {
   Eigen::VectorXd search;
-  Eigen::VectorXd coefficients;  ///< one for each column of the basis of the ForceModel
+  Eigen::VectorXd coefficients;  ///< one coefficient for each column of the basis of the ForceModel
 };
 
 /// Force at the compared samples: unscaled(nonlinear) + basis(nonlinear) * coefficients. The first columns of the basis

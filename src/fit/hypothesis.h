@@ -109,7 +109,7 @@ struct Hypothesis {
   std::vector<std::size_t> counts;
   std::vector<int> held;        ///< contained candidates whose terms the hypothesis also has
   std::vector<int> curved;      ///< candidates, including contained ones, whose terms follow a curve
-  PerLogNuisances free_in_log;  ///< nuisance parameters that are fitted, too
+  PerLogNuisances free_in_log;  ///< nuisance parameters that are fitted with the hypothesis
   /// Returns the entries of a law as a function of all scales; null without a law. Terms without an entry of their own
   /// are parameters of this law.
   std::function<std::vector<element::ElementDescription>(const Eigen::VectorXd& scales)> law;

@@ -12,7 +12,7 @@
 namespace rubber_suspension::fit {
 
 struct FittedParameter {
-  std::string name;    ///< for example "friction[1].maximum_force"
+  std::string name;    ///< name such as "friction[1].maximum_force"
   double given = 0.0;  ///< value at which the fit began
   double value = 0.0;
   bool determined = true;  ///< false if at a bound, or if the standard deviation of its logarithm exceeds ln(2)/1.96
@@ -24,7 +24,7 @@ struct TableFit {
   std::vector<FittedParameter> parameters;
   double misfit_before = 0.0;               ///< RMS of |K*_model - K*|/|K*| over the points, K* = K exp(i delta)
   double misfit = 0.0;                      ///< RMS after the fit
-  std::optional<MasterCurve> master_curve;  ///< for a table with temperatures
+  std::optional<MasterCurve> master_curve;  ///< present if the table has temperatures
 };
 
 /// Fits the logarithms of the parameters by least squares of (K*_model - K*)/|K*| over all points, within a factor of

@@ -18,7 +18,7 @@ namespace {
 constexpr int kSamplesOfLoop =
     360;  // samples of the cycle that counts; a dashpot lags by half a sample, 0.5 degrees of its force
 constexpr int kStride = 4;   // samples of the cycle per sample of the lead-in
-constexpr int kBefore = 3;   // samples of the record before the cycle that counts; keep the time grid of the lead-in
+constexpr int kBefore = 3;   // samples of the record before the cycle that counts; they keep the lead-in's time grid
 constexpr int kAfter = 1;    // samples after the cycle, because a mass uses differences on both sides
 constexpr int kGrowing = 4;  // cycles of the lead-in in which the amplitude grows, so that element states end symmetric
 constexpr int kSettling = 6;  // further cycles of the lead-in

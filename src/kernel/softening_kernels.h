@@ -37,7 +37,7 @@ inline Lanes softened(const SofteningBlock& laws, std::size_t lane, double dt, d
   Lanes soft = load(reach + lane);
   if (laws.recovers) {
     const Lanes rate = load(laws.recovery_rate.data() + lane);
-    const Lanes kept = 1.0 - (1.0 - fallen(dt * rate));  // 0 where the single laws have 0
+    const Lanes kept = 1.0 - (1.0 - fallen(dt * rate));  // exactly 0 where it is 0 in the single laws
     most = recovered(most, reached, rate, kept);
     soft = recovered(soft, reached, rate, kept);
   }

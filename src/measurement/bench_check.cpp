@@ -553,7 +553,7 @@ struct Bench {
     }
   }
 
-  double nats = 0.0;                 // evidence for an error that all logs have
+  double nats = 0.0;                 // evidence for an error that all logs have [nat]
   double fastest_right = 0.0;        // highest mean frequency of a log with the right sign [Hz]
   std::vector<const Shown*> scaled;  // logs whose scale is judged
 };
@@ -566,8 +566,8 @@ double medianScale(const std::vector<const Shown*>& logs) {
 // 90, which no effect causes, if other logs are plausible.
 std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Shown*>& logs) {
   constexpr double kOne = 1.5;         // largest factor between two logs due to their frequency and amplitude
-  constexpr double kLike = 0.8;        // correlation with the simulated force
-  constexpr double kJustLike = 0.995;  // correlation for a factor that a wrong data sheet may also cause
+  constexpr double kLike = 0.8;        // least correlation with the simulated force
+  constexpr double kJustLike = 0.995;  // least correlation for a factor that a wrong data sheet may also cause
   const Sheet& sheet = log.configured.sheet;
   const std::string& name = log.record.name;
   const double scale = *log.scale();

@@ -220,7 +220,7 @@ class Mass {
     VectorXd deviation = VectorXd::Constant(count, HUGE_VAL);
     for (const Index k : {4, 8, 16, 32}) {
       const auto mean = [&](Index i) { return (sum[i + k / 2 + 1] - sum[i - k / 2]) / static_cast<double>(k + 1); };
-      const auto jump = [&](Index i) {  // is 1 for a change of slope by 1 per sample
+      const auto jump = [&](Index i) {  // jump is 1 if the slope changes by 1 per sample
         return (4.0 * (mean(i - k) + mean(i + k)) - mean(i - 2 * k) - mean(i + 2 * k) - 6.0 * mean(i)) /
                (1.6 * static_cast<double>(k));
       };
@@ -293,7 +293,7 @@ class Mass {
 
   const Channel& force_;
   VectorXd jump_;                     // jump of the slope of the displacement [per sample]
-  double jump_over_peak_ = HUGE_VAL;  // ratio for the mass; infinite without a mass, so that nothing is explained
+  double jump_over_peak_ = HUGE_VAL;  // ratio of jump to peak; infinite without a mass, so that nothing is explained
 };
 
 // Returns true if a corner at or beside a sample is about as sharp as a hole is deep, with the same sign.

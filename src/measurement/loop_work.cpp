@@ -194,7 +194,7 @@ DeadPart deadPart(const VectorXd& channel, const VectorXd& other, double least_o
 }
 
 bool isOfAMotion(const VectorXd& force, const VectorXd& displacement, const DeadPart& dead) {
-  constexpr double kMore = 1.25;  // hum differs by less than a quarter between two parts of a log
+  constexpr double kMore = 1.25;  // hum differs by a smaller factor between two parts of a log
   const Index length = dead.end - dead.begin;
   const auto rest = [&](const VectorXd& values) {
     VectorXd kept(values.size() - length);

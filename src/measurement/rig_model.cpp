@@ -187,7 +187,7 @@ struct NormalEquations {
 };
 
 NormalEquations robustEquations(const MatrixXd& columns, const VectorXd& residual, const VectorXd& priors) {
-  constexpr int kRounds = 3;  // weights for few outliers converge at once
+  constexpr int kRounds = 3;  // iterations; the weights for few outliers converge at once
   NormalEquations equations{numerics::gramOf(columns), columns.transpose() * residual};
   for (int round = 0; round < kRounds; ++round) {
     const VectorXd left = residual - columns * solveWithPriors(equations.gram, equations.moment, priors).values;

@@ -43,7 +43,7 @@ double rigCost(const gap::PreparedRecord& record, const Eigen::VectorXd& residua
 
 /// Weight of a log relative to the other logs of its rig.
 struct LogWeight {
-  double weight = 1.0;  ///< about 1 on average (gap::PreparedRecord::weight)
+  double weight = 1.0;  ///< factor, about 1 on average (gap::PreparedRecord::weight)
   std::string note;     ///< empty if its weight is not reduced
 };
 

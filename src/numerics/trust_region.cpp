@@ -13,7 +13,7 @@ namespace rubber_suspension::numerics {
 namespace {
 
 constexpr double kFirstRadius = 1e4;     // damps the first step by 1e-4 of the diagonal of J'J
-constexpr double kLargestRadius = 1e16;  // with hardly any damping
+constexpr double kLargestRadius = 1e16;  // hardly damps any step
 constexpr double kSmallestRadius = 1e-32;
 constexpr double kLeastDamped = 1e-6;  // smaller elements of diag(J'J), relative to unit(), are damped like this value
 constexpr double kLeastImprovement = 1e-3;  // share of the predicted reduction that an accepted step has to achieve

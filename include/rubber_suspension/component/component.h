@@ -61,7 +61,7 @@ class alignas(kernel::kCacheLine) ComponentState {
 /// Linearisation of one step about its end, for implicit integrators: dF/dz at the end of the step is stiffness +
 /// damping/dt.
 struct Tangent {
-  double stiffness;  ///< derivative of elastic and friction force with respect to the step's end [N/m]
+  double stiffness;  ///< derivative of elastic and friction force with respect to the final displacement [N/m]
   double damping;    ///< dt times the derivative of the viscous force [N s/m]
 };
 
@@ -213,7 +213,7 @@ class Component {
   kernel::BasicLawsKernel kernel_;                           // contains all laws of most components
   std::vector<Placed<element::ParallelElement>> elements_;   // all other laws, with the linear ones first
   std::ptrdiff_t linear_count_ = 0;                          // number of linear laws
-  std::vector<Placed<element::ForceEffect>> force_effects_;  // scale the sum of kernel_ and elements_
+  std::vector<Placed<element::ForceEffect>> force_effects_;  // effects that scale the sum of kernel_ and elements_
 
   std::vector<Placed<element::ParallelElement>> rig_;
 

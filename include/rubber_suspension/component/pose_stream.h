@@ -46,7 +46,7 @@ class PoseStream : public StampedStream {
 
   const SixDirections& component_;
   SixDirectionsState state_;
-  SixDirectionsState saved_;  // to undo a step whose wrench is not finite
+  SixDirectionsState saved_;  // restored if the wrench of a step is not finite
   std::uint64_t beyond_valid_ = 0;
 };
 

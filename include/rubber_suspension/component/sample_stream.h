@@ -24,7 +24,7 @@ enum class Acceptance {
 inline bool isAccepted(Acceptance acceptance) { return acceptance <= Acceptance::bridged; }
 
 struct StreamCounters {
-  std::uint64_t accepted = 0;  ///< including restarts and bridged time gaps
+  std::uint64_t accepted = 0;  ///< number that includes restarts and bridged time gaps
   std::uint64_t restarted = 0;
   std::uint64_t bridged = 0;
   std::uint64_t not_finite = 0;

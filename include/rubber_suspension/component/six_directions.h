@@ -39,7 +39,7 @@ using SixElements = std::array<std::vector<element::ElementDescription>, kDirect
 
 struct Wrench {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about an origin that the user of the struct defines [N m]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about an origin that the user of the struct chooses [N m]
 };
 
 /// Velocity of body B relative to body A, in A's axes.
@@ -182,7 +182,7 @@ class SixDirections {
   struct Place {
     Eigen::Vector3d translation;  // d in the axes of the bush on A [m]
     RotationCoordinates rotation;
-    Eigen::Vector3d arm;  // from B's origin to the bush on B, in A's axes [m]
+    Eigen::Vector3d arm;  // vector from B's origin to the bush on B, in A's axes [m]
 
     Coordinates coordinates() const {
       const Eigen::Vector3d& turn = rotation.value;

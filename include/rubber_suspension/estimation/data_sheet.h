@@ -30,7 +30,7 @@ const std::vector<element::ParameterInfo>& dataSheetParameters();
 struct DataSheetResult {
   Model model;
   Specification specification;
-  std::vector<std::string> notes;  ///< how numbers were derived, and how reliable they are
+  std::vector<std::string> notes;  ///< statements on how numbers were derived, and how reliable they are
 };
 
 /// Converts a data sheet to a specification. The keys of `values` are the names in dataSheetParameters() and

@@ -37,7 +37,7 @@ std::optional<Model> modelFromString(const std::string& name);
 
 /// A unit as the user wrote it, for messages.
 struct WrittenUnit {
-  std::string name;  ///< for example "kN/mm"
+  std::string name;  ///< name such as "kN/mm"
   double size;       ///< factor to the SI unit, for example 1e6 for kN/mm
 };
 

@@ -11,12 +11,12 @@ namespace rubber_suspension::estimation {
 /// A point to which a model was fitted, with stiffness and loss angle of the fitted component.
 struct PointMisfit {
   SpecifiedPoint point;
-  double stiffness = 0.0;   ///< of the fitted component at the point [N/m]
-  double loss_angle = 0.0;  ///< of the fitted component at the point [rad]
+  double stiffness = 0.0;   ///< stiffness of the fitted component at the point [N/m]
+  double loss_angle = 0.0;  ///< loss angle of the fitted component at the point [rad]
 };
 
 struct Resolved {
-  Specification specification;  ///< for the base: estimate() returns its elements
+  Specification specification;  ///< specification of the base, whose elements estimate() returns
   std::vector<std::string> notes;
   std::vector<PointMisfit> points;  ///< all points of a fit; empty without a fit
 };

@@ -34,12 +34,12 @@ struct IdentifiedParameter {
 
 /// A combination of parameters that the logs hardly determine: its interval extends beyond a factor of 2.
 struct UndeterminedDirection {
-  double standard_deviation = 0.0;  ///< of ln(parameter) along the direction; infinite if no log shows any effect
+  double standard_deviation = 0.0;  ///< standard deviation of ln(parameter) along the direction; may be infinite
   std::vector<std::pair<std::string, double>> weights;  ///< relative changes of the parameters; the largest is 1
 };
 
 struct Identification {
-  std::vector<element::ElementDescription> elements;  ///< have the fitted values; elements without force are omitted
+  std::vector<element::ElementDescription> elements;  ///< with the fitted values; those without force are omitted
   std::vector<IdentifiedParameter> parameters;
   double force_offset = 0.0;  ///< constant force of the rig, which is also fitted [N]
   std::vector<UndeterminedDirection> undetermined;

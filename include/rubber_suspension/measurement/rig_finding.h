@@ -39,8 +39,8 @@ struct RigFinding {
   double value = 0.0;                              ///< size of the error, in `unit`
   std::array<double, 2> interval_95 = {0.0, 0.0};  ///< interval of `value`; both limits are `value` for a count
   std::string unit;                                ///< "1" for shares, factors and counts
-  bool fatal = false;             ///< a wrong sign, unit, column or component: verdict check_bench, no effect is named
-  bool beyond_tolerance = false;  ///< larger than 2 standard deviations of the rig's tolerances
+  bool fatal = false;             ///< true for a wrong sign, unit, column or component, after which no effect is named
+  bool beyond_tolerance = false;  ///< true if beyond 2 standard deviations of the rig's tolerances
   std::string text;               ///< one sentence that states evidence and correction
   double frequency = 0.0;         ///< frequency of a spectral line [Hz]; 0 for other findings
 };

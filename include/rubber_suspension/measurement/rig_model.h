@@ -38,7 +38,7 @@ struct RigPoint {
 struct RigColumns {
   Eigen::VectorXd base;             ///< simulated force [N]; with a point of linearisation, minus columns * point
   std::vector<Nuisance> nuisances;  ///< error that each column describes; initial_state may have several columns
-  Eigen::MatrixXd columns;          ///< samples x nuisances [N per unit of the value]
+  Eigen::MatrixXd columns;          ///< a row for each sample, a column for each error [N per unit of the value]
   Eigen::VectorXd priors;           ///< standard deviation of each value
 };
 
