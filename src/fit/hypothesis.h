@@ -75,8 +75,8 @@ struct Candidate {
   /// Returns the terms of a law that scales with a curve, to replace `terms` with one more parameter; may be null.
   std::function<std::vector<BasisTerm>(const Curve&)> along = nullptr;
   std::vector<BasisTerm> curved = {};  ///< terms along the best curve; empty if no curve justifies a further parameter
-  /// Further laws of few parameters, at points where fits may start. After the verdict one of these laws, or a few of
-  /// the terms, represents the effect.
+  /// Further laws of few parameters. Each is a point from which a fit of all of them may start. After the verdict one
+  /// of these laws, or a few of the terms, represents the effect.
   std::vector<BasisTerm> laws = {};
 
   /// Returns false if the logs cannot show the effect, so that it has no terms.

@@ -68,8 +68,8 @@ struct DeadPart {
   Eigen::Index end = 0;  ///< one past the last sample; equal to `begin` if there is no such part
 };
 
-/// Returns the longest part of at least a tenth of the log in which `channel` stands still while `other` swings, unlike
-/// in a hold, by more than `least_of_other` of its deviation in the rest of the log, unlike within a free play.
+/// Returns the longest part of at least a tenth of the log in which `channel` stands still while `other` swings by more
+/// than `least_of_other` of the deviation of `other` in the rest of the log. This excludes holds and free play.
 DeadPart deadPart(const Eigen::VectorXd& channel, const Eigen::VectorXd& other, double least_of_other);
 
 /// Returns true if the force during a part with constant displacement exceeds hum. Hum continues in a hold; it is the

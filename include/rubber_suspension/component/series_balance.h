@@ -63,7 +63,7 @@ class SeriesBalance {
 
   Equation equationOf(const kernel::BasicLawsKernel& laws, const kernel::LinearForce& linear,
                       const element::Motion& path, const double* memory) const {
-    // The compliance does not change the sign of the force, so that the sign without it determines the side.
+    // The compliance does not change the sign of the force, so that the force without compliance determines the side.
     const double compliance =
         sides_.tension == sides_.compression
             ? sides_.tension
