@@ -14,15 +14,14 @@
 namespace rubber_suspension::element {
 namespace {
 
-// (1 - (1 + x) exp(-x))/x^2, which tends to 1/2: the mean over a step of s exp(-x s), where s is the share of the step
-// up to its end.
+// Returns (1 - (1 + x) exp(-x))/x^2, the mean of s exp(-x s) for s from 0 to 1, which tends to 1/2 as x tends to 0.
 double momentOverStep(double x, const Relaxation& relaxation) {
-  constexpr double kSeries = 0.05;  // above, the difference has 14 digits
+  constexpr double kSeries = 0.05;  // for larger x, the difference has 14 digits
   return x > kSeries ? (relaxation.mean - relaxation.decay) / x
                      : 1.0 / 2 - x * (1.0 / 3 - x * (1.0 / 8 - x * (1.0 / 30 - x * (1.0 / 144 - x * (1.0 / 840)))));
 }
 
-// Returns the row of the displacements, which all three laws have.
+// Returns the row of the parameter `displacement`, which all three laws have.
 ParameterInfo pointsParameter() {
   return {
       "displacement", "m", Role::choice, Range::any(), "displacements of the points, not decreasing; constant outside",
@@ -33,7 +32,7 @@ PositionTable tableOf(const ElementDescription& description, const std::string& 
   return {description.type, description.list("displacement"), name, description.list(name)};
 }
 
-// Returns k_r exp(b ((z/z_r)^2 - 1)) at points so dense that the values between them err by 2 % at a growth of 10.
+// Returns k_r exp(b ((z/z_r)^2 - 1)) at points that are so dense that interpolation errs by at most 2 % for b = 10.
 PositionTable grownTable(const ElementDescription& description, double growth, int side) {
   constexpr int kPointsOfSide = 48;
   const std::vector<double>& reach = description.list("displacement");
@@ -54,18 +53,18 @@ PositionTable grownTable(const ElementDescription& description, double growth, i
   return {description.type, std::move(displacement), "stiffness", std::move(grown)};
 }
 
-/// dF/dt = k(z) dz/dt - F/tau, tau = 1/(2 pi f_b), with a stiffness that is linear between points of the displacement
-/// and constant beyond. If k is proportional to the slope of the static curve, the loss angle of small oscillations
-/// does not depend on the preload, as in rubber. With U the integral of k over z and w = U(z) - F, the energy is the
-/// integral of U - w from the point where U = w; for k > 0 it never grows by more than the work done. Exact for a
-/// displacement that is linear between samples: a step is split at the points. Memory: force. Validity: one relaxation
-/// time at all preloads. Source: A. Ledesma et al., UM-MEAM-95-05 (1995), for a branch of this structure with a
-/// nonlinear elastic function.
+/// Simulates dF/dt = k(z) dz/dt - F/tau, tau = 1/(2 pi f_b), with a stiffness that is linear between points of the
+/// displacement and constant outside them. If k is proportional to the slope of the static curve, the loss angle of
+/// small oscillations does not depend on the preload, as in rubber. With U, the integral of k over z, and w = U(z) - F,
+/// the stored energy is the integral of U - w from the point where U = w; for k > 0 this energy never grows by more
+/// than the work done. The step is exact for a displacement that is linear between samples, because it is split at the
+/// points. Memory: force. Validity: one relaxation time at all preloads. Source: A. Ledesma et al., UM-MEAM-95-05
+/// (1995), for a branch of this structure with a nonlinear elastic function.
 ///
-/// With `growth` b the curve has two numbers instead of points: k(z) = k_r exp(b ((z/z_r)^2 - 1)) up to the single
-/// displacement z_r and constant beyond; with a `side`, the other side has the stiffness of z = 0. So the elastic force
-/// grows exponentially with strain and relaxes at the same rate at any strain. Source: quasi-linear viscoelasticity, Y.
-/// C. Fung, Biomechanics (Springer 1981), ch. 7.
+/// With a `growth` b, a formula replaces the points: k(z) = k_r exp(b ((z/z_r)^2 - 1)) up to the single displacement
+/// z_r, and constant beyond. With a `side`, the stiffness on the other side is k(0). So the elastic force grows
+/// exponentially with strain and relaxes at the same rate at any strain. Source: quasi-linear viscoelasticity, Y. C.
+/// Fung, Biomechanics (Springer 1981), ch. 7.
 class MaxwellAlongCurve final : public ParallelElement {
  public:
   MaxwellAlongCurve(PositionTable stiffness /* k(z) [N/m] */, double break_frequency /* f_b [Hz] */)
@@ -94,7 +93,8 @@ class MaxwellAlongCurve final : public ParallelElement {
   double rate_;  // 1/tau [1/s]
 };
 
-/// F = c(z) dz/dt, averaged over the step, with a damping given by points as above. Source: as above.
+/// Simulates F = c(z) dz/dt, averaged over the step, with a damping that is linear between points as in
+/// MaxwellAlongCurve, whose source also applies.
 class DashpotAlongCurve final : public ParallelElement {
  public:
   explicit DashpotAlongCurve(PositionTable damping /* c(z) [N s/m] */) : damping_(std::move(damping)) {}
@@ -113,9 +113,10 @@ class DashpotAlongCurve final : public ParallelElement {
   PositionTable damping_;
 };
 
-/// F = b(z) times the force of a bank of Jenkins sliders, with a factor b(z) >= 0 given by points as above. The sliders
-/// slide at the same displacements at every preload. The energy of one is the integral of b k (z - s) over z from its
-/// position s, so it dissipates as it slides. Source: as SliderBank.
+/// Simulates a bank of Jenkins sliders whose force is multiplied by a factor b(z) >= 0, which is linear between points
+/// as in MaxwellAlongCurve. The sliders slide at the same displacements at every preload. A slider at the position s
+/// stores the integral of b k (z - s) over z from s and dissipates energy while it slides. The sources are given at
+/// SliderBank.
 class SlidersAlongCurve final : public ParallelElement {
  public:
   SlidersAlongCurve(std::vector<JenkinsSlider> sliders, PositionTable factor /* b(z) [-] */)

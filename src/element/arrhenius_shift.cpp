@@ -1,4 +1,4 @@
-// Shift by the law of Arrhenius.
+// Temperature shift by the law of Arrhenius.
 #include <cmath>
 
 #include "element/registry.h"
@@ -7,11 +7,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// ln a_T = E/R (1/T - 1/T_0) with T in K, b_T = 1 + beta (T - T_0).
+/// Shifts by ln a_T = E/R (1/T - 1/T_0) with T in K, and b_T = 1 + beta (T - T_0).
 ///
 /// Validity: more than about 100 K above T_g, or a few tens of kelvin around any temperature with E as the local slope
-/// (for WLF at T_0: E = ln(10) R T_0^2 C_1/C_2); limited to 20 decades on the slow side. A negative E, which no rubber
-/// has, corrects another shift that is too large.
+/// (of a WLF shift at T_0: E = ln(10) R T_0^2 C_1/C_2). Towards low temperatures the shift is limited to 20 decades. A
+/// negative E, which no rubber has, corrects another shift that is too large.
 /// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
 class ArrheniusShift final : public TemperatureShift {
  public:
@@ -25,7 +25,7 @@ class ArrheniusShift final : public TemperatureShift {
       : parameters_(parameters), vertical_(parameters.vertical, parameters.reference) {}
 
   Shift at(double temperature) const override {
-    // 1/T - 1/T_0 without cancellation; 0 at T_0.
+    // 1/T - 1/T_0 without cancellation, exactly 0 at T_0.
     const double reference = parameters_.reference + kZeroCelsius;
     const double absolute = temperature + kZeroCelsius;
     const double difference = (parameters_.reference - temperature) / (absolute * reference);
@@ -53,7 +53,7 @@ class ArrheniusShift final : public TemperatureShift {
   VerticalShift vertical_;
 };
 
-constexpr double kMost = 1e6;  // [J/mol]; the steepest rubbers reach half of it at the glass transition
+constexpr double kMost = 1e6;  // [J/mol]; the largest values of rubbers, at the glass transition, are half of it
 
 const ElementEntry kArrheniusShiftEntry(360,
                                         {"arrhenius_shift",

@@ -7,23 +7,23 @@
 namespace rubber_suspension::element {
 namespace {
 
-// exp(x) - 1 - x, continued along its tangent beyond x = 20.
+// Returns exp(x) - 1 - x, continued along its tangent beyond x = 20.
 double growth(double strain) {
   constexpr double kSteepest = 20.0;
   const double bounded = std::min(strain, kSteepest);
   return std::expm1(bounded) - bounded + (strain - bounded) * std::expm1(bounded);
 }
 
-/// F = k2 z^2 + k_d |z|/2 + k_h s (cosh(z/s) - 1) + k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), to be added to a linear
-/// spring. No loss. The first three terms are even, so they do not overlap with a spring or progressive_stiffness,
-/// which are odd. The fourth is even except for a linear part; the last one has an odd part of the same size. Under a
-/// sine of amplitude A the first term shifts the mean force by k2 A^2/2 and adds a second harmonic of that amplitude.
-/// The last term stiffens on the side of the sign of s, as rubber under large compression does; the even exponential
-/// stiffens one side and softens the other. Neither has a slope at z = 0; beyond |z| = 20 |s| both continue along their
-/// tangents. Validity: the coefficients may have either sign, so the tangent stiffness of the component is negative
-/// where they outweigh the linear spring, below z = -k/(2 k2) for k2 > 0; motions must stay well within. Source: power
-/// series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section 2.1; exponential
-/// stiffening of Y. C. Fung, Am. J. Physiol. 213 (1967) 1532-1544.
+/// Simulates F = k2 z^2 + k_d |z|/2 + k_h s (cosh(z/s) - 1) + k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), to be added
+/// to a linear spring. No loss. The terms of k2, k_d and k_h are even, so they do not overlap with a spring or
+/// progressive_stiffness, which are odd. The term of k_t is even except for a linear part. The term of k_e has an even
+/// and an odd part of similar size. Under a sine of amplitude A the term of k2 shifts the mean force by k2 A^2/2 and
+/// adds a second harmonic of the amplitude k2 A^2/2. The term of k_e stiffens on the side of the sign of s, as rubber
+/// under large compression does; the term of k_h stiffens one side and softens the other. Both exponential terms have
+/// no slope at z = 0 and continue along their tangents beyond |z| = 20 |s|. Validity: motions must stay well within the
+/// range where the tangent stiffness of the component is positive. With a linear spring k and k2 > 0 alone, this range
+/// ends at z = -k/(2 k2). Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations
+/// (1979), section 2.1; exponential stiffening of Y. C. Fung, Am. J. Physiol. 213 (1967) 1532-1544.
 class AsymmetricStiffness final : public ParallelElement {
  public:
   struct Exponentials {

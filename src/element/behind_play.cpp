@@ -1,4 +1,4 @@
-// Branches behind a clearance of their own: a slider, a damper with backlash, and a hydraulic damper in a worn eye.
+// Branches in series with their own clearance: a slider, a damper with backlash, and a hydraulic damper in a worn eye.
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +10,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = k d(z - w), with the dead zone d(x) = x - clamp(x, -g, g): a spring with a clearance g to either side of w, in
-/// series with a branch that moves w. Unlike free play before the whole test piece, only this branch has play, and the
-/// clearance moves with it: after each reversal its force is 0 over 2 g of travel at any amplitude; the settled force
-/// at amplitudes below g is 0. The force is linear in k for given other parameters. Dissipates. Validity: contact
-/// without impact or friction of the joint. Memory: w.
+/// Simulates F = k d(z - w), with the dead zone d(x) = x - clamp(x, -g, g): a spring with a clearance g to either side
+/// of w, in series with a branch that moves w. While free play acts on the whole test piece, this clearance acts on one
+/// branch and moves with it: after each reversal the force is 0 over a travel of 2 g at any amplitude. At amplitudes
+/// below g the settled force is 0. The force is linear in k for given other parameters. The law dissipates. Validity:
+/// contact without impact or friction of the joint. Memory: w.
 template <class Branch>
 class BehindPlay final : public ParallelElement {
  public:
@@ -40,9 +40,9 @@ class BehindPlay final : public ParallelElement {
 
 double deadZone(double offset, double gap) { return offset - std::clamp(offset, -gap, gap); }
 
-/// The force k y moves the slider. Settled loss per cycle at amplitude A > g + y: 4 k y (A - g - y). Rate-independent,
-/// exact for any step. Source: elastic-plastic element with a gap, e.g. K. Worden, G. R. Tomlinson, Nonlinearity in
-/// Structural Dynamics (2001).
+/// A slider that moves at the force k y. The settled loss per cycle is 4 k y (A - g - y) at an amplitude A > g + y. The
+/// law is rate-independent, and its step has no error at any length. Source: elastic-plastic element with a gap, e.g.
+/// K. Worden, G. R. Tomlinson, Nonlinearity in Structural Dynamics (2001).
 struct Slider {
   static constexpr Part kPart = Part::friction;
 
@@ -56,9 +56,10 @@ struct Slider {
   }
 };
 
-/// dw/dt = F/c, c = k/(2 pi f_b): a Maxwell element for g = 0, a dashpot with backlash for a high f_b. Exact for a
-/// displacement that is linear over the step, since contact and free flight have closed solutions. Source: dead zone in
-/// series with a linear dynamic, e.g. M. Nordin, P.-O. Gutman, Automatica 38 (2002) 1633-1649.
+/// A damper, dw/dt = F/c, c = k/(2 pi f_b): together with the spring a Maxwell element for g = 0, a dashpot with
+/// backlash for a high f_b. The step is exact for a displacement that is linear over it, since contact and free flight
+/// have closed solutions. Source: dead zone in series with linear dynamics, e.g. M. Nordin, P.-O. Gutman, Automatica 38
+/// (2002) 1633-1649.
 struct Damper {
   static constexpr Part kPart = Part::viscous;
 
@@ -78,7 +79,7 @@ struct Damper {
   double offsetAfter(double offset, double velocity, double time, double gap) const {
     const double depth = std::abs(offset) - gap;
     if (depth > 0.0) {
-      const double inward = std::copysign(velocity, velocity * offset);  // towards more contact, if positive
+      const double inward = std::copysign(velocity, velocity * offset);  // positive towards deeper contact
       const double lasts = inward < 0.0 ? relaxation_time * std::log1p(-depth / (relaxation_time * inward)) : time;
       if (lasts >= time) {
         return std::copysign(gap + depthAfter(depth, inward, time), offset);
@@ -101,10 +102,11 @@ struct Damper {
   }
 };
 
-/// dw/dt = v_r sign(F) (|F|/(k y))^(1/p): a damper whose force is k y (v/v_r)^p in steady flow: an orifice for p = 2, a
-/// relief valve or a shear-thinning fluid for p < 1, maxwell_behind_play for p = 1. The step is implicit Euler
-/// (flowRoot()): exact in steady flow, otherwise of first order, dissipative at any step length. Source: J. C. Dixon,
-/// The Shock Absorber Handbook, 2nd ed. 2007, chapter 5, behind the dead zone of maxwell_behind_play.
+/// A damper whose force in steady flow is k y (v/v_r)^p: dw/dt = v_r sign(F) (|F|/(k y))^(1/p). It is an orifice for p
+/// = 2, a relief valve or a shear-thinning fluid for p < 1, and maxwell_behind_play for p = 1. The step is implicit
+/// Euler (flowRoot()), which is exact in steady flow, otherwise of first order, and dissipative at any step length.
+/// Source: J. C. Dixon, The Shock Absorber Handbook, 2nd ed. 2007, chapter 5, behind the dead zone of
+/// maxwell_behind_play.
 struct PowerDamper {
   static constexpr Part kPart = Part::viscous;
 
@@ -114,12 +116,12 @@ struct PowerDamper {
 
   double stretch(const Motion& motion, double gap, double& place) const {
     const double offset = motion.displacement - place;
-    const double depth = std::abs(offset) - gap;  // at the end of the step, without flow
+    const double depth = std::abs(offset) - gap;  // depth at the end of the step if the damper did not move
     if (depth <= 0.0) {
       return 0.0;
     }
     const double way = std::abs(motion.increment);
-    const double contact = way > depth ? depth / way : 1.0;  // share of the step
+    const double contact = way > depth ? depth / way : 1.0;  // share of the step in contact
     const double flow = reference_rate * contact * motion.dt / displacement;
     const double left = displacement * flowRoot(depth / displacement, flow, 1.0 / exponent);
     place = motion.displacement - std::copysign(gap + left, offset);
@@ -127,7 +129,7 @@ struct PowerDamper {
   }
 };
 
-/// Returns a function that makes a branch behind its play, from the parameters of the branch of these names.
+/// Returns a function that makes a branch with its clearance. `names` are the parameters of the branch.
 template <class Branch, class... Names>
 auto makesBehindPlay(Names... names) {
   return [=](const ElementDescription& description) -> ElementPointer {

@@ -10,29 +10,30 @@
 namespace rubber_suspension::element {
 namespace {
 
-// Length of a Runge-Kutta step over the length in which the rate changes by its own size. The error decreases with its
-// fourth power (see BoucWen).
+// Length of a Runge-Kutta step, divided by the travel in which the rate would change by its own value. The error is
+// proportional to the fourth power of this constant (see BoucWen).
 constexpr double kShareOfBend = 0.06;
 // Largest |q|^n for which the series in |q|^n is used.
 constexpr double kNearZero = 0.125;
-// Below this rate q is at its limit, up to rounding.
+// At rates below this one q equals its limit up to rounding.
 constexpr double kNoRate = 1e-14;
 
-// Solution of q' = 1 - coefficient q after a travel `way`; it tends to 1/coefficient.
+// Returns the solution of q' = 1 - coefficient q after a travel `way`, which tends to 1/coefficient.
 double relaxedTowardsLimit(double q, double coefficient, double way) {
   return coefficient == 0.0 ? q + way : q * std::exp(-coefficient * way) - std::expm1(-coefficient * way) / coefficient;
 }
 
-/// dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n, F = h: the hysteretic part alone; the stiffness and
-/// the damping of the standard form are a `spring` and a `dashpot` in parallel.
+/// Simulates the hysteretic part of the standard form, dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n,
+/// F = h. Its stiffness and damping are a `spring` and a `dashpot` in parallel.
 ///
-/// From rest the force rises with the stiffness A and tends to (A/(beta + gamma))^(1/n); the larger the exponent n, the
-/// sharper the bend before it. Unloading starts with the slope A + (beta - gamma) |h|^n. For beta >= |gamma| the energy
-/// h^2/(2 A) never grows by more than the work done, so the law dissipates. With gamma = -beta there is no limit.
+/// From rest the force rises with the stiffness A and tends to the limit (A/(beta + gamma))^(1/n). The larger the
+/// exponent n, the more sharply the curve bends before this limit. With gamma = -beta there is no limit. Unloading
+/// starts with the slope A + (beta - gamma) |h|^n. For beta >= |gamma| the energy h^2/(2 A) never grows by more than
+/// the work done, so the law dissipates.
 /// Minor loops do not close; `iwan` closes them.
 ///
-/// Exact for n = 1. Otherwise the law is integrated over the travel by Runge-Kutta steps that are short compared to the
-/// bend: the error is below 1e-6 of (A/beta)^(1/n) for n up to 20 at any step length. Memory: the force.
+/// The step is exact for n = 1. Otherwise it consists of Runge-Kutta steps that are short compared to the bend; its
+/// error is below 1e-6 (A/beta)^(1/n) for n up to 20 at any step length. Memory: the force.
 /// Source: Y.-K. Wen, J. Eng. Mech. Div. ASCE 102 (1976) 249-263; as a model of rubber: Kim et al., reference 11 of
 /// Polach (IAVSD 2015); dissipation: M. Ismail, F. Ikhouane and J. Rodellar, Arch. Comput. Methods Eng. 16 (2009)
 /// 161-188.
@@ -61,11 +62,12 @@ class BoucWen final : public ParallelElement {
   Part part() const override { return Part::friction; }
 
  private:
-  // Derivative of q by the travel in one direction, q' = 1 - |q|^n (sign(q) + gamma/beta). q is the force over scale_,
-  // positive in that direction; the travel is in units of scale_/A.
+  // Returns the derivative q' = 1 - |q|^n (sign(q) + gamma/beta) with respect to the travel in units of scale_/A. q is
+  // the force divided by scale_, positive in the direction of the travel.
   double rate(double q) const { return 1.0 - std::pow(std::abs(q), exponent_) * (std::copysign(1.0, q) + asymmetry_); }
 
-  // Signed travel from q = 0 to a small q: the integral of 1/q' as a series in |q|^n, which is not smooth at zero.
+  // Returns the signed travel from q = 0 to a small q, which is the integral of 1/q', computed by a series in |q|^n
+  // because q' is not smooth at 0.
   double wayFromZero(double q) const {
     const double ratio = (asymmetry_ + std::copysign(1.0, q)) * std::pow(std::abs(q), exponent_);
     double sum = 1.0;
@@ -76,7 +78,7 @@ class BoucWen final : public ParallelElement {
     return q * sum;
   }
 
-  // Inverse of wayFromZero(), by Newton's method.
+  // Returns the q of a travel from q = 0: the inverse of wayFromZero(), by Newton's method.
   double nearZero(double way) const {
     double q = std::clamp(way, -near_, near_);
     for (int i = 0; i < 8; ++i) {

@@ -18,7 +18,8 @@ namespace {
 
 using Entries = std::map<int, ElementType>;
 
-// Sorted by place. Static in a function, since laws register while static objects are initialised, in any order.
+// Returns the list, sorted by place. It is static in a function, since laws register themselves while static objects
+// are initialised, in any order.
 Entries& entries() {
   static Entries list;
   return list;

@@ -5,9 +5,9 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = c dz/dt with the rate of the piecewise linear displacement: the force of a sampled sine lags by half a step, a
-/// phase error of pi f dt. The dynamic stiffness grows without limit with frequency, so the element suits a narrow band
-/// only. Source: Polach (IAVSD 2015), element c0 of M1, M3 and M5.
+/// Simulates F = c dz/dt with the rate of a displacement that is linear between samples. For a sampled sine the force
+/// lags by half a step, which is a phase error of pi f dt. The dynamic stiffness grows with frequency without limit, so
+/// the element suits a narrow band only. Source: Polach (IAVSD 2015), element c0 of M1, M3 and M5.
 class Dashpot final : public ParallelElement {
  public:
   explicit Dashpot(double damping /* [N s/m] */) : damping_(damping) {}
@@ -30,7 +30,7 @@ class Dashpot final : public ParallelElement {
   double damping_;
 };
 
-/// F = c dz/dt for a displacement that is smooth between samples, without that lag.
+/// Simulates F = c dz/dt for a displacement that is smooth between samples, without the lag of Dashpot.
 class SmoothDashpot final : public SmoothRateDashpot {
  public:
   explicit SmoothDashpot(double damping /* [N s/m] */) : damping_(damping) {}

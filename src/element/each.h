@@ -1,4 +1,4 @@
-// Lists and texts made of other lists, entry by entry.
+// Functions that make a list or a text from the entries of another list.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::element {
 
-/// Returns the value of a function or member for each entry of a list.
+/// Returns the value of a function or of a data member for each entry of a list.
 template <class List, class Function>
 auto each(const List& list, const Function& of) {
   std::vector<std::decay_t<decltype(std::invoke(of, *std::begin(list)))>> result;
@@ -34,7 +34,7 @@ std::vector<Entry> those(const std::vector<Entry>& list, const Condition& holds)
   return result;
 }
 
-/// Returns the texts that a function or a member has for the entries, joined by a separator.
+/// Returns the texts that a function or a data member gives for the entries of a list, joined by a separator.
 template <class List, class Function>
 std::string joined(const List& list, const std::string& separator, const Function& of) {
   return fmt::format("{}", fmt::join(each(list, of), separator));

@@ -10,18 +10,19 @@ namespace {
 
 enum FirstLoadingSlot { kUpper, kLower, kFollowed };
 
-/// F = k d with d = |z| - S beyond the reach S of a side, towards that side, and F = 0 within. During outward motion
-/// beyond S the reach follows, dS = d/(b |z|) d|z|, so that d tends to b |z|/(1 + b): the force of the first loading is
-/// up to k b |z|/(1 + b) larger than later. During inward motion S is constant. The additional force decreases with
-/// each further loading; after n cycles d is about b/n of the displacement.
+/// Simulates F = k d towards the side of z, with d = |z| - S beyond the reach S of that side, and F = 0 within the
+/// reach. During outward motion beyond S the reach follows, dS = d/(b |z|) d|z|, so that d tends to b |z|/(1 + b). So
+/// the force of the first loading exceeds that of later loadings by up to k b |z|/(1 + b). During inward motion S is
+/// constant. The additional force decreases with each further loading; after n cycles d is about b |z|/n.
 ///
-/// It is the additive part of stress softening, due to filler that breaks: a factor on the force (stress_softening) can
-/// increase neither the first loading alone nor its loss. Each side has its own reach. Rate-independent, exact for any
-/// step, dissipates. The reach is permanent, also over a long rest. With a dead band, z is the displacement behind play
-/// of this width, because noise would otherwise extend the reach with every sample. Memory: the reaches of the upper
-/// and the lower side, and the displacement behind the play. Source: yielding at a limit that is approached smoothly
-/// (P. R. Dahl, AIAA J. 14 (1976) 1675-1682), here one-sided and irreversible; filler breaks only on first loading, and
-/// more at larger strain: J. Diani, B. Fayolle, P. Gilormini, Eur. Polymer J. 45 (2009) 601-612.
+/// The law is the additive part of stress softening, due to filler that breaks. It is needed because a factor on the
+/// force (stress_softening) can increase neither the force of the first loading alone nor its loss. Each side has its
+/// own reach, which a long rest does not reduce. The law is rate-independent and dissipates; its step has no error at
+/// any length. With a dead band, z is the displacement behind play of this width, because noise would otherwise extend
+/// the reach with every sample. Memory: the reaches of the upper and the lower side, and the displacement behind the
+/// play. Source: yielding at a limit that is approached smoothly (P. R. Dahl, AIAA J. 14 (1976) 1675-1682), here
+/// one-sided and irreversible; filler breaks only on first loading, and more at larger strain: J. Diani, B. Fayolle, P.
+/// Gilormini, Eur. Polymer J. 45 (2009) 601-612.
 class FirstLoading final : public ParallelElement {
  public:
   enum class Side { lower = -1, both = 0, upper = 1 };
@@ -37,7 +38,7 @@ class FirstLoading final : public ParallelElement {
     return 0.0;
   }
 
-  // A long rest at a displacement beyond the reach relaxes the force there, so it extends the reach.
+  // A long rest beyond the reach relaxes the force to 0, so it extends the reach to the present displacement.
   double relax(double displacement, double* memory) const override {
     memory[kUpper] = std::max(memory[kUpper], displacement);
     memory[kLower] = std::max(memory[kLower], -displacement);
@@ -56,8 +57,8 @@ class FirstLoading final : public ParallelElement {
   Part part() const override { return Part::friction; }
 
  private:
-  /// Extends a reach by a motion of `increment` to `end` [m]; returns how far `end` is beyond the new reach [m]. Solves
-  /// dd/dz = 1 - d/(b z) from the point where the motion exceeds the reach.
+  /// Extends a reach by a motion of `increment` [m] to `end` [m] and returns d at `end` [m]. The solution of dd/dz = 1
+  /// - d/(b z) starts where the motion exceeds the reach.
   double follow(double end, double increment, double& reach) const {
     const double start = std::max(end - increment, reach);
     if (end <= start) {

@@ -1,11 +1,12 @@
-// Force that grows with time, whatever the displacement: drift of a load cell.
+// Force that grows with time and does not depend on the displacement: drift of a load cell.
 #include "element/registry.h"
 
 namespace rubber_suspension::element {
 namespace {
 
-/// F = r t with the time t since the start. No loop closes; the dynamic stiffness is 0.
-/// Validity: the linear trend of one log; the drift of a load cell that warms up levels off later. Memory: the time.
+/// Simulates F = r t with the time t since the start. The dynamic stiffness is 0, since the force is independent of z.
+/// Validity: the linear trend of one log, since the drift of a load cell that warms up levels off later. Memory: the
+/// time.
 class ForceDrift final : public ParallelElement {
  public:
   explicit ForceDrift(double rate /* r [N/s] */) : rate_(rate) {}

@@ -4,7 +4,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = F_0. It changes the mean force only, so its dynamic stiffness is 0.
+/// Simulates F = F_0. It changes the mean force only, so its dynamic stiffness is 0.
 class ForceOffset final : public ParallelElement {
  public:
   explicit ForceOffset(double offset /* F_0 [N] */) : offset_(offset) {}

@@ -6,11 +6,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// The displacement of the test piece is z - s clamp(z, -g, g). For a share s = 1 it is 0 within the gap and the excess
-/// over g beyond; a smaller share describes a seat that yields within the gap. Several entries in sequence form a gap
-/// with soft edges. Unlike friction, play lowers the stiffness at small amplitude: K(A) = K (1 - s g/A).
-/// Validity: loss of contact without impact, the gap centred at zero displacement. A component applies it behind the
-/// delay and before the series compliance.
+/// Reduces the displacement of the test piece to z - s clamp(z, -g, g). For a share s = 1 the test piece does not move
+/// while |z| <= g and moves by |z| - g beyond. A smaller share describes a seat that yields within the gap. Several
+/// entries in sequence form a gap with soft edges. Play lowers the stiffness at small amplitudes, K(A) = K (1 - s g/A),
+/// whereas friction raises it. Validity: loss of contact without impact, and a gap centred at zero displacement. A
+/// component applies free play after the delay and before the series compliance.
 class FreePlay final : public DisplacementEffect {
  public:
   FreePlay(double gap /* g, to either side [m] */, double share /* s [-] */) : gap_(gap), share_(share) {}

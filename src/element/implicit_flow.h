@@ -1,4 +1,4 @@
-// One implicit step of a flow whose rate is a power of the force.
+// One implicit step of a viscous flow whose rate is a power of the force.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::element {
 
-// Solves the equation of flowRoot() for m > 1 by Newton steps from above.
+// Solves the equation of flowRoot() for m > 1 by Newton's method, which starts above the root.
 inline double flowRootByNewton(double r, double b, double m) {
   constexpr int kMostSteps = 60;
   double x = std::min(r, std::pow(r / b, 1.0 / m));
@@ -21,9 +21,10 @@ inline double flowRootByNewton(double r, double b, double m) {
   return x;
 }
 
-/// Returns the root x >= 0 of x + b x^m = r for b >= 0, m > 0 and r >= 0: the force that remains of r after an implicit
-/// step with the flow b x^m. In closed form for m = 1/2, 1 and 2, otherwise by Newton's method, which converges
-/// monotonically since the function is convex (in x^m for m < 1). Accurate to rounding.
+/// Returns the root x >= 0 of x + b x^m = r for b >= 0, m > 0 and r >= 0: r is the force that a step without flow would
+/// give, x the force after an implicit step with the flow b x^m. The solution is a closed form for m = 1/2, 1 and 2.
+/// Otherwise Newton's method converges monotonically, since the function is convex in x or, for m < 1, in x^m. The
+/// result is accurate up to rounding.
 inline double flowRoot(double r, double b, double m) {
   if (!(r > 0.0) || b == 0.0) {
     return std::max(r, 0.0);

@@ -9,10 +9,11 @@ namespace {
 
 enum InertiaSlot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
 
-/// F = m d2z/dt2, K* = -m w^2: lowers the measured storage stiffness in proportion to f^2, without loss.
+/// Simulates F = m d2z/dt2, K* = -m w^2, which lowers the measured storage stiffness in proportion to f^2, without
+/// loss.
 /// Without a bandwidth the acceleration at a sample is extrapolated linearly from the second differences of the last
-/// four samples, exactly for a cubic z(t) at any step lengths, so that the force has neither lag nor loss: relative
-/// error 11/12 (w dt)^2 under a sine. Noise of standard deviation s on z causes about 6.8 m s/dt^2 of noise on F. A
+/// four samples, exactly for a cubic z(t) at any step lengths, so that the force has neither lag nor loss. Its relative
+/// error is 11/12 (w dt)^2 under a sine. Noise of standard deviation s on z causes about 6.8 m s/dt^2 of noise on F. A
 /// kink of z(t) causes a pulse of force over three steps. Memory: velocity and second difference of the last step, and
 /// the last two step lengths (0 after a rest). Source: fixture mass of a dynamic stiffness test, ISO 10846-2:2008.
 class Inertia final : public ParallelElement {
@@ -26,7 +27,7 @@ class Inertia final : public ParallelElement {
     const double dt2 = memory[kLastStep] > 0.0 ? memory[kLastStep] : dt1;
     const double dt3 = memory[kStepBeforeLast] > 0.0 ? memory[kStepBeforeLast] : dt2;
     const double velocity = motion.increment / dt1;
-    // A second difference is the acceleration at the mean time of its three samples (exact for a cubic).
+    // For a cubic, a second difference is the acceleration at the mean time of its three samples.
     const double acceleration = (velocity - memory[kVelocity]) / (0.5 * (dt1 + dt2));
     const double ahead = (2.0 * dt1 + dt2) / (dt1 + dt2 + dt3);
     const double extrapolated = acceleration + ahead * (acceleration - memory[kAcceleration]);
@@ -45,12 +46,12 @@ class Inertia final : public ParallelElement {
   double mass_;
 };
 
-/// F = m d2z/dt2 for a noisy displacement, with z behind the filter H(s) = (1 + 4 s/w_b)/(1 + s/w_b)^4. The error 6
-/// (w/w_b)^2 of H has no part of first order, so the force has no lag at low frequency. White noise s on z causes 0.87
-/// m s/dt^2 on F at w_b dt = 1, above which samples are too far apart for the filter, and 0.041 m s/dt^2 at w_b dt =
-/// 1/4. The filter is stepped exactly for a displacement that is linear between samples, at any step lengths. Memory:
-/// the lags of the four first-order filters. Source: observer form of a filtered differentiator, e.g. Khalil, Nonlinear
-/// Systems (2002), section 14.5.
+/// Simulates F = m d2z/dt2 for a noisy displacement, with z filtered by H(s) = (1 + 4 s/w_b)/(1 + s/w_b)^4. The error
+/// of H is 6 (w/w_b)^2, without a term of first order, so the force has no lag at low frequency. White noise of
+/// standard deviation s on z causes noise of 0.87 m s/dt^2 on F at w_b dt = 1 and of 0.041 m s/dt^2 at w_b dt = 1/4.
+/// For w_b dt > 1 the samples are too far apart for the filter. The filter is stepped exactly for a displacement that
+/// is linear between samples, at any step lengths. Memory: y_k - z of four first-order filters. Source: observer form
+/// of a filtered differentiator, e.g. Khalil, Nonlinear Systems (2002), section 14.5.
 class SmoothedInertia final : public ParallelElement {
  public:
   SmoothedInertia(double mass /* m [kg] */, double bandwidth /* w_b/(2 pi) [Hz] */)
@@ -59,8 +60,8 @@ class SmoothedInertia final : public ParallelElement {
   std::size_t memorySize() const override { return kLags; }
 
   // First-order filters in series, y_k' = w_b (y_(k-1) - y_k), y_0 = z. Under a ramp of slope v, y_k - z tends to -k
-  // v/w_b; its deviation decays as exp(-w_b t) times a polynomial with the deviations of y_1 to y_k. The memory
-  // contains y_k - z, which is 0 at rest.
+  // v/w_b. The deviation from this limit decays as exp(-w_b t) times a polynomial, whose coefficients depend on the
+  // deviations of y_1 to y_k. The memory contains y_k - z, which is 0 at rest.
   double step(const Motion& motion, double* memory) const override {
     const double turn = rate_ * motion.dt;
     const double decay = std::exp(-turn);
@@ -78,7 +79,7 @@ class SmoothedInertia final : public ParallelElement {
       }
       memory[k] = sum - static_cast<double>(k + 1) * lag;
     }
-    // s^2 H(s) z in terms of the filters' outputs, s/w_b = (1 - L)/L with L = 1/(1 + s/w_b); the weights add up to 0.
+    // This is s^2 H(s) z in terms of the outputs of the filters, because s/w_b = (1 - L)/L with L = 1/(1 + s/w_b).
     const double bend = 4.0 * memory[0] - 11.0 * memory[1] + 10.0 * memory[2] - 3.0 * memory[3];
     return mass_ * rate_ * rate_ * bend;
   }

@@ -18,15 +18,16 @@ namespace {
 
 constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
 constexpr double kMostParts = 4096.0;
-// Longest part of a split step, in radians of the resonance plus times in which the quadratic loss halves a rate.
+// Longest part of a split step: its angle at the resonance [rad] plus c_2 |dq/dt| dt/m.
 constexpr double kSplit = 0.25;
-constexpr double kMostTurned = 4.0;       // limit of the angle that adds parts to a step with quadratic loss [rad]
-constexpr double kPastTurn = 1.0 + 1e-9;  // factor on the time of a turn, so that a part ends just past it
-constexpr double kEdgeTolerance = 1e-15;  // error of the time of an edge, over the part
+constexpr double kMostTurned = 4.0;       // a larger angle of a step does not increase the number of parts [rad]
+constexpr double kPastTurn = 1.0 + 1e-9;  // factor on the time of a turn, so that a part ends just after the turn
+constexpr double kEdgeTolerance = 1e-15;  // error of the time of an edge, divided by the length of the part
 constexpr int kMostStepsToEdge = 50;      // as many as bisection needs
-constexpr int kMostStops = 64;            // of one part; ends loops between edges that coincide by rounding
+constexpr int kMostStops = 64;            // in one part; prevents endless loops if rounding makes edges coincide
 
-// exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), w^2 = square - a^2; hyperbolic functions if that is negative.
+// Contains exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), where w^2 = square - a^2, or the corresponding
+// hyperbolic functions if w^2 is negative.
 struct Oscillation {
   double cosine;
   double sine;     // exp(-a t) sin(w t)/w [s]
@@ -43,7 +44,7 @@ struct Oscillation {
       sine = damped * (w * t > 0.0 ? 2.0 * half * std::cos(0.5 * w * t) / w : t);
       return;
     }
-    // exp(-a t) cosh(w t) from the slow root alone, which does not overflow.
+    // exp(-a t) cosh(w t), computed from the slower of the two exponentials, which does not overflow.
     const double slow = std::exp(-square / (decay + w) * t);
     const double fall = -std::expm1(-2.0 * w * t);
     cosine = slow * (1.0 - 0.5 * fall);
@@ -53,7 +54,7 @@ struct Oscillation {
   }
 };
 
-// Coefficients of the exact step for one step length.
+// Coefficients of InertiaTrack::coupled() for one step length.
 struct OverStep {
   double decay = 0.0;
   double square = 0.0;
@@ -81,11 +82,11 @@ std::uint64_t bitsOf(double value) {
   return bits;
 }
 
-// Most steps have the length of the last one, so each thread keeps the coefficients in a hash table by their inputs.
+// Most steps have the same length as the step before, so each thread keeps the coefficients in a hash table.
 const OverStep& overStep(double decay, double square, double dt) {
   constexpr std::uint64_t kPlaces = 512;
   constexpr std::uint64_t kSpread =
-      0x9E3779B97F4A7C15;  // multiplicative hashing (Knuth): the highest bits depend on all
+      0x9E3779B97F4A7C15;  // multiplicative hashing (Knuth): the highest bits depend on all bits of the input
   constexpr unsigned kBelowPlaces = 55;
   thread_local std::array<OverStep, kPlaces> kept;
   const std::uint64_t mixed = ((bitsOf(decay) * kSpread + bitsOf(square)) * kSpread + bitsOf(dt)) * kSpread;
@@ -95,7 +96,7 @@ const OverStep& overStep(double decay, double square, double dt) {
       return kept[at];
     }
   }
-  kept[place ^ 1U] = kept[place];  // two tracks may use the same place by turns
+  kept[place ^ 1U] = kept[place];  // because two tracks may alternately use the same place
   return kept[place] = OverStep(decay, square, dt);
 }
 
@@ -122,7 +123,7 @@ InertiaTrack::Flow InertiaTrack::free(Flow flow, double dt, double velocity) con
   return {flow.deflection + dt * (velocity - flow.rate * slowed.mean), flow.rate * slowed.decay};
 }
 
-// Pieces: -1 and 1 beyond the dead zone, 0 inside.
+// Advances within one piece of the force: -1 or 1 beyond the dead zone, 0 inside it.
 InertiaTrack::Flow InertiaTrack::along(int piece, Flow flow, double dt, double velocity) const {
   if (piece == 0) {
     return free(flow, dt, velocity);
@@ -132,7 +133,7 @@ InertiaTrack::Flow InertiaTrack::along(int piece, Flow flow, double dt, double v
   return {after.deflection + edge, after.rate};
 }
 
-// Returns the piece of the deflection; on an edge, the one that the motion enters.
+// Returns the piece that contains the deflection or, on an edge, the piece that the motion enters.
 int InertiaTrack::pieceOf(Flow flow, double velocity) const {
   const double beyond = std::abs(flow.deflection) - free_travel_;
   const double side = std::copysign(1.0, flow.deflection);
@@ -143,8 +144,9 @@ bool InertiaTrack::isIn(int piece, double deflection) const {
   return piece == 0 ? std::abs(deflection) <= free_travel_ : piece * deflection >= free_travel_;
 }
 
-// Returns the time at which a deflection turns that has turned at dt. Its velocity u obeys u'' + 2 a u' + square u = 0
-// beyond the dead zone, where half a period contains at most one turn; inside, the rate decays to the velocity.
+// Returns the time at which the deflection reverses, if it has reversed by the time dt. Beyond the dead zone its
+// velocity u obeys u'' + 2 a u' + square u = 0, so that half a period contains at most one reversal. Inside the dead
+// zone, the deflection reverses when the decaying rate of the fluid equals the velocity.
 double InertiaTrack::timeOfTurn(int piece, Flow flow, double dt, double velocity) const {
   double time = std::log(flow.rate / velocity) / (2.0 * decay_);
   if (piece != 0) {
@@ -161,8 +163,8 @@ double InertiaTrack::timeOfTurn(int piece, Flow flow, double dt, double velocity
   return time > 0.0 && time < dt ? std::min(dt, kPastTurn * time) : dt;
 }
 
-// Returns the time of an edge that the motion has passed at dt without a turn, by Newton's method from dt, with
-// bisection if a step leaves the interval.
+// Returns the time of an edge that the motion passes before dt without a reversal. Newton's method starts at dt; a step
+// that leaves the interval is replaced by bisection.
 double InertiaTrack::timeOfEdge(int piece, double edge, Flow flow, double dt, double velocity) const {
   double before = 0.0;
   double after = dt;
@@ -180,7 +182,7 @@ double InertiaTrack::timeOfEdge(int piece, double edge, Flow flow, double dt, do
   return after;
 }
 
-// Steps from one edge of the dead zone or turn of the deflection to the next.
+// Advances in parts that end at edges of the dead zone and at reversals of the deflection.
 void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const {
   for (int stop = 0; dt > 0.0; ++stop) {
     const int piece = pieceOf(flow, velocity);
@@ -200,11 +202,11 @@ void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const
   }
 }
 
-// Returns the number of parts of a step: 1 if that is exact.
+// Returns the number of parts into which a step is split, which is 1 if a single step is exact.
 double InertiaTrack::partsOf(double rate, double dt, double velocity) const {
   const double turned = dt * std::sqrt(square_);
   const double braked = dt * brake_ * std::max(std::abs(rate), std::abs(velocity));
-  // A step of several radians samples a motion far below the resonance, where the quadratic loss is negligible.
+  // If a step turns the resonance by several radians, the motion is far below it and the quadratic loss is negligible.
   const double parts = brake_ > 0.0         ? (std::min(turned, kMostTurned) + braked) / kSplit
                        : free_travel_ > 0.0 ? turned / kRadiansBetweenTurns
                                             : 1.0;

@@ -12,7 +12,7 @@ namespace rubber_suspension::element {
 namespace {
 
 constexpr int kMaximumSliders = 64;
-constexpr double kGreatestYield = 50.0;  // greatest yield displacement over z2
+constexpr double kGreatestYield = 50.0;  // greatest yield displacement divided by z2
 
 int sliderCount(const ElementDescription& description) {
   const double count = description.value("sliders");
@@ -52,7 +52,8 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
   for (int i = 0; i < count; ++i) {
     JenkinsSlider& slider = sliders[static_cast<std::size_t>(i)];
     slider.yield_displacement = displacement * std::pow(ratio, i + 1 - middle);
-    // Slope of the chord that ends at this yield displacement; it falls there by the stiffness of the slider.
+    // First the slope of the chord up to this yield displacement; then the next slope is subtracted, which leaves the
+    // stiffness of the slider.
     slider.stiffness =
         (hyperbola(slider.yield_displacement) - hyperbola(previous)) / (slider.yield_displacement - previous);
     if (i > 0) {

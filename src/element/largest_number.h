@@ -1,4 +1,4 @@
-// The largest and smallest numbers that a parameter may have, and their part of the error messages.
+// The largest and the smallest number that a parameter may have, and their text in error messages.
 #pragma once
 
 #include <stdexcept>
@@ -8,11 +8,12 @@
 
 namespace rubber_suspension::element {
 
-/// Largest magnitude [SI] in any Range: larger than in any component; powers of larger numbers overflow.
+/// Largest magnitude [SI] in any Range, which exceeds the values of any component. Powers of larger numbers would
+/// overflow.
 constexpr double kLargestNumber = 1e30;
 
-/// Smallest positive value [SI] in a Range without negative values; 0 is accepted if the Range contains it. Smaller
-/// than in any component: products and powers of smaller numbers lose their digits or underflow.
+/// Smallest positive value [SI] in a Range without negative values, which is below the values of any component. 0 is
+/// accepted if the Range contains it. Products and powers of smaller numbers would lose digits or underflow.
 constexpr double kSmallestNumber = 1e-100;
 
 /// Thrown by refuseValue() for a value outside its Range.
@@ -21,7 +22,7 @@ class ValueOutOfRange : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Returns describe(range), with the largest or the smallest number if the value violates that limit.
+/// Returns describe(range), supplemented by kLargestNumber or kSmallestNumber if the value violates this limit.
 std::string acceptedFor(double value, const Range& range);
 
 }  // namespace rubber_suspension::element

@@ -9,8 +9,8 @@
 namespace rubber_suspension::element {
 
 /// Simulates Maxwell elements in parallel, each exactly for a displacement that is linear between samples. A component
-/// computes their coefficients once per step length, because addTo() adds them as basic laws; step() computes them in
-/// every step. Memory: the force of each element.
+/// computes the coefficients of the elements once per step length, because addTo() adds the elements as basic laws.
+/// step() computes the coefficients in every step. Memory: the force of each element.
 class MaxwellBank : public ParallelElement {
  public:
   explicit MaxwellBank(std::vector<Maxwell> elements) : elements_(std::move(elements)) {}

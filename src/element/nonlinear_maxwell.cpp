@@ -7,15 +7,16 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// dF/dt = k dz/dt - F/tau (1 + (|F|/(k y))^p), tau = 1/(2 pi f_b): a Maxwell element for spring displacements well
-/// below y; beyond, it relaxes faster the larger its force, and y is a sharper limit the larger the power p. So the
-/// stiffness falls with amplitude, but only at frequencies at which the element contributes, which friction in parallel
-/// with a Maxwell element cannot reproduce. For a given y the force is proportional to k.
+/// Simulates dF/dt = k dz/dt - F/tau (1 + (|F|/(k y))^p), tau = 1/(2 pi f_b), which is a Maxwell element while its
+/// spring is deflected by much less than y. At larger deflections the element relaxes faster as its force grows. The
+/// larger the power p, the more sharply y limits the deflection. So the stiffness falls with amplitude, but only at
+/// frequencies at which the element contributes, which friction in parallel with a Maxwell element cannot reproduce.
+/// For a given y the force is proportional to k.
 ///
-/// The step is a symmetric splitting: half of the nonlinear relaxation, the exact linear step, the other half. Exact in
-/// the limit of a large y, otherwise of second order in dt/tau (|F|/(k y))^p, and dissipative at any step. Memory: the
-/// force. Source: flow that is activated by stress, J. S. Bergstrom and M. C. Boyce, J. Mech. Phys. Solids 46 (1998)
-/// 931-954, in one dimension and with a linear part added; p + 1 is their power m.
+/// The step is a symmetric splitting: half of the nonlinear relaxation, the exact linear step, the other half. It is
+/// exact in the limit of a large y, otherwise of second order in dt/tau (|F|/(k y))^p, and dissipative at any step
+/// length. Memory: the force. Source: flow that is activated by stress, J. S. Bergstrom and M. C. Boyce, J. Mech. Phys.
+/// Solids 46 (1998) 931-954, in one dimension and with a linear part added; p + 1 is their power m.
 class NonlinearMaxwell final : public ParallelElement {
  public:
   NonlinearMaxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */,
@@ -32,13 +33,14 @@ class NonlinearMaxwell final : public ParallelElement {
   Part part() const override { return Part::viscous; }
 
  private:
-  // Solves dF/dt = -F/tau (|F|/(k y))^p, for which |F|^-p grows at the constant rate p/(tau (k y)^p).
+  // Returns the force after dF/dt = -F/tau (|F|/(k y))^p, whose solution is simple because |F|^-p grows at the constant
+  // rate p/(tau (k y)^p).
   double yielded(double force, double relaxation_times) const {
     const double share = std::abs(force) / force_;
     if (power_ == 1.0) {
       return force / (1.0 + relaxation_times * share);
     }
-    if (power_ == 3.0) {  // the same as below, in half the time
+    if (power_ == 3.0) {  // the same as the general formula, computed in half the time
       return force / std::cbrt(1.0 + 3.0 * relaxation_times * share * share * share);
     }
     return force * std::pow(1.0 + power_ * relaxation_times * std::pow(share, power_), -1.0 / power_);

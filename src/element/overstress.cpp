@@ -7,13 +7,15 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// dF/dt = k (dz/dt - v_r sign(F) max(0, |F|/(k y) - 1)^m): elastic up to the limit k y; the force is k y (1 +
-/// (v/v_r)^(1/m)) at a steady rate v, that of a slider for slow motion, and k y after a hold. So the amplitude
-/// dependence varies with the rate. The force is linear in k for given other parameters.
+/// Simulates dF/dt = k (dz/dt - v_r sign(F) max(0, |F|/(k y) - 1)^m), which is elastic up to the limit k y. The force
+/// is k y (1 + (v/v_r)^(1/m)) at a steady rate v, so for slow motion the law is a slider, and during a hold the force
+/// relaxes to k y. So the amplitude dependence varies with the rate. The force is linear in k for given other
+/// parameters.
 ///
-/// The step is implicit Euler (flowRoot()): exact in steady flow, otherwise of first order, and dissipative at any step
-/// length. Memory: the displacement of the spring over y. Source: overstress, P. Perzyna, Adv. Appl. Mech. 9 (1966)
-/// 243-377; for elastomers with an equilibrium hysteresis P. Haupt and K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109.
+/// The step is implicit Euler (flowRoot()), which is exact in steady flow, otherwise of first order, and dissipative at
+/// any step length. Memory: the deflection of the spring divided by y. Source: overstress, P. Perzyna, Adv. Appl. Mech.
+/// 9 (1966) 243-377; for elastomers with an equilibrium hysteresis P. Haupt and K. Sedlan, Arch. Appl. Mech. 71 (2001)
+/// 89-109.
 class Overstress final : public ParallelElement {
  public:
   struct Parameters {

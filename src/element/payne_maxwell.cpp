@@ -11,16 +11,17 @@ namespace {
 
 enum PayneSlot { kPayneForce, kMeanSpeed, kPaynePlace };
 
-/// dF/dt = k dz/dt - (1/tau + q/s) F, T dq/dt = |dz/dt| - q, tau = 1/(2 pi f_b). q is the speed averaged over the last
-/// T. Motion makes the element relax faster, so the stiffness falls during motion and recovers at rest within T (Payne
-/// effect). Limits: for s to infinity a Maxwell element, for T = 0 and f_b = 0 Dahl friction of the limit k s. Under a
-/// sine of amplitude a whose period is short compared to T, the storage stiffness where q/s exceeds 1/tau is
-/// k/(1 + (a/a_c)^2) with a_c = pi s/2, at any frequency: Kraus's curve. q depends on the displacement only, so the
-/// force is linear in k.
+/// Simulates dF/dt = k dz/dt - (1/tau + q/s) F, T dq/dt = |dz/dt| - q, tau = 1/(2 pi f_b). q is the speed averaged over
+/// the last T. Motion makes the element relax faster, so the stiffness falls during motion and recovers at rest within
+/// T (Payne effect). As s tends to infinity, the law becomes a Maxwell element; for T = 0 and f_b = 0 it is Dahl
+/// friction with the limit k s. Under a sine of amplitude a whose period is short compared to T, the storage stiffness
+/// is k/(1 + (a/a_c)^2) with a_c = pi s/2 at any frequency at which q/s far exceeds 1/tau: Kraus's curve. q depends on
+/// the displacement only, so the force is linear in k.
 ///
-/// With a dead band, the speed in the equation of q is that behind play of this width, so that noise within it relaxes
-/// nothing. A step uses the mean relaxation rate over the step: of second order in dt, and passive, since the power
-/// lost is (1/tau + q/s) F^2/k >= 0. Memory: the force, q, the displacement behind the play [m].
+/// With a dead band, the speed in the equation of q is the speed behind play of this width, so that noise within the
+/// play relaxes nothing. A step uses the mean relaxation rate over the step and is of second order in dt. The law is
+/// passive, since the power lost is (1/tau + q/s) F^2/k >= 0. Memory: the force, q, the displacement behind the play
+/// [m].
 /// Source: A. Lion, Rubber Chem. Technol. 71 (1998) 410-429; P. Haupt, K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109;
 /// P. Hofer, A. Lion, J. Mech. Phys. Solids 57 (2009) 500-520.
 class PayneMaxwell final : public ParallelElement {

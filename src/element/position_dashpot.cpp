@@ -1,4 +1,4 @@
-// Dashpot whose damping grows towards one side.
+// Dashpot whose damping grows with the displacement to one side.
 #include <algorithm>
 #include <cmath>
 
@@ -8,12 +8,12 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = c s^p v, s = max(0, (1 + side z/z_r)/2), v = dz/dt: the damping is c at z_r on that side, 0 at z_r on the other,
-/// and grows further beyond; the larger the power p, the later it grows. Elements of both sides and a linear dashpot in
-/// parallel describe a closing gap, as in a squeeze film or a hydraulic stop, and dissipate as long as no damping is
-/// negative. The rate at a sample is that of SmoothRateDashpot. Source: the damping of a squeeze film grows with the
-/// inverse cube of its thickness (O. Reynolds, Phil. Trans. R. Soc. 177, 1886); powers of the position replace it here,
-/// since they have no singularity.
+/// Simulates F = c s^p v, s = max(0, (1 + side z/z_r)/2), v = dz/dt. The damping is 0 at z_r on the other side, c at
+/// z_r on the given side, and larger beyond; the larger the power p, the later it rises. Two such elements, one for
+/// each side, and a linear dashpot in parallel describe a closing gap, as in a squeeze film or a hydraulic stop. They
+/// dissipate if no damping is negative. SmoothRateDashpot gives the rate at a sample. Source: the damping of a squeeze
+/// film grows with the inverse cube of its thickness (O. Reynolds, Phil. Trans. R. Soc. 177, 1886); powers of the
+/// position replace it here, since they have no singularity.
 class PositionDashpot final : public SmoothRateDashpot {
  public:
   PositionDashpot(double damping /* c [N s/m] */,
@@ -24,7 +24,7 @@ class PositionDashpot final : public SmoothRateDashpot {
     return dampingAt(motion.displacement) * rateAfter(motion, memory);
   }
 
-  /// Damping [N s/m] at a displacement [m].
+  /// Returns the damping [N s/m] at a displacement [m].
   double dampingAt(double displacement) const {
     return damping_ * std::pow(std::max(0.0, 0.5 * (1.0 + displacement / reference_)), power_);
   }

@@ -1,4 +1,4 @@
-// A quantity that depends on the displacement: linear between points, constant beyond.
+// A quantity that depends on the displacement: linear between points, constant outside them.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,10 +13,11 @@
 
 namespace rubber_suspension::element {
 
-/// Interpolates between points over the displacement. Two points at one displacement form a step; the second counts.
+/// Interpolates a quantity between points of the displacement. Two points at one displacement form a step, at which the
+/// later point gives the value.
 class PositionTable {
  public:
-  /// Throws std::invalid_argument that names law and parameter for empty lists, lists of different lengths and
+  /// Throws std::invalid_argument, which names law and parameter, for empty lists, lists of different lengths and
   /// decreasing displacements.
   PositionTable(const std::string& type, std::vector<double> displacement /* [m] */, const std::string& name,
                 std::vector<double> value)
@@ -40,7 +41,8 @@ class PositionTable {
                    displacement);
   }
 
-  /// Calls `visit` for each linear piece of the path from `begin` to `end`, in order: its ends [m], the values there.
+  /// Calls `visit` for each linear piece of the path from `begin` to `end`, in order. Its arguments are the ends of the
+  /// piece [m] and the values there.
   template <class Visit>
   void along(double begin, double end, Visit visit) const {
     begin < end ? upwards(begin, end, visit) : downwards(begin, end, visit);

@@ -7,10 +7,10 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = c v_r sign(v) |v/v_r|^p, v = dz/dt: at the rate v_r the force of a dashpot c. p = 2 is fluid through an orifice,
-/// p < 1 a shear-thinning fluid. The rate at a sample is that of SmoothRateDashpot. Its noise is about 2.5/dt times
-/// that of the displacement, which for a small p causes large forces near reversals. Source: power-law damper, e.g.
-/// Constantinou and Symans, NCEER-92-0032 (1992), section 5.
+/// Simulates F = c v_r sign(v) |v/v_r|^p, v = dz/dt, which at the rate v_r equals the force of a dashpot c. p = 2 is
+/// fluid through an orifice, p < 1 a shear-thinning fluid. SmoothRateDashpot gives the rate at a sample. The noise of
+/// this rate is about 2.5/dt times the noise of the displacement, which for a small p causes large forces near
+/// reversals. Source: power-law damper, e.g. Constantinou and Symans, NCEER-92-0032 (1992), section 5.
 class PowerDashpot final : public SmoothRateDashpot {
  public:
   PowerDashpot(double damping /* c [N s/m] */, double reference_rate /* v_r [m/s] */, double exponent /* p [-] */)
@@ -18,7 +18,7 @@ class PowerDashpot final : public SmoothRateDashpot {
 
   double step(const Motion& motion, double* memory) const override { return force(rateAfter(motion, memory)); }
 
-  /// Force [N] at a rate [m/s].
+  /// Returns the force [N] at a rate [m/s].
   double force(double rate) const {
     return std::copysign(damping_ * reference_rate_ * std::pow(std::abs(rate) / reference_rate_, exponent_), rate);
   }

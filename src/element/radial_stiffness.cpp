@@ -1,4 +1,4 @@
-// Spring that stiffens with the radius of two directions.
+// Spring of two directions across an axis, whose stiffness grows with the distance from the axis.
 #include "rubber_suspension/element/radial_stiffness.h"
 
 #include "element/registry.h"

@@ -5,8 +5,9 @@
 
 namespace rubber_suspension::element {
 
-/// Enters a law into the list, by a static object in the law's source file, at this place of the list and of the
-/// reference page. Throws std::logic_error if another law has that place, which ends every program at its start.
+/// Enters a law into the list of all laws; a static object of this type is in the source file of each law. `place`
+/// determines the order in the list and on the reference page. Throws std::logic_error if another law has that place,
+/// which ends every program at its start.
 struct ElementEntry {
   ElementEntry(int place, ElementType type);
 };

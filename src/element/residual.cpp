@@ -28,7 +28,7 @@ constexpr double kHighestFrequency = 1e9;  // [Hz]
 constexpr double kShortestStroke = 1e-12;  // [m]
 constexpr double kNarrowestRange = 1e-3;   // of displacements, in strokes
 
-// Places of the step coefficients of the resonators in the memory.
+// Positions in the memory of the coefficients of the resonators for one step length.
 enum Turn : std::size_t {
   kKept = ResidualBasis::kTurn,
   kTurned = kKept + kResonators,
@@ -42,7 +42,6 @@ using Relaxing = Eigen::Array<double, kRelaxing, 1>;
 using Resonators = Eigen::Array<double, kResonators, 1>;
 using States = Eigen::Array<double, kStops + kRelaxing, 1>;
 
-// Maps a part of the memory.
 template <class Part>
 Eigen::Map<Part> at(double* memory, std::size_t slot) {
   return Eigen::Map<Part>(memory + slot);
@@ -81,7 +80,7 @@ std::array<double, Size> listOf(const ElementDescription& description, const cha
 
 bool isNone(const std::vector<double>& values) { return values.size() == 1 && values[0] == 0.0; }
 
-// Without resonators the value in the file is 0.
+// Reads the parameters of the resonators, which have the single value 0 if there are no resonators.
 void readResonators(const ElementDescription& description, ResidualBasis::Layout& layout, Residual::Weights& weights) {
   layout.resonant = !isNone(description.list("resonances"));
   if (!layout.resonant) {
@@ -160,7 +159,8 @@ void ResidualBasis::initialise(double displacement, double* memory) const {
   memory[kAmplitude] = std::abs(memory[kShare]);
 }
 
-// Approximates exp(-x) by 1/(1 + x + x^2/2) and its mean over the step accordingly; both are positive for any step.
+// Approximates exp(-x) by 1/(1 + x + x^2/2), and its mean over the step accordingly. Both approximations are positive
+// at any step length.
 void ResidualBasis::prepare(double dt, double* memory) const {
   memory[kStepLength] = dt;
   memory[kAmplitudeDecay] = layout_.amplitude_time / (layout_.amplitude_time + dt);
@@ -174,7 +174,8 @@ void ResidualBasis::prepare(double dt, double* memory) const {
   }
 }
 
-// Solves e' = A e + (q', 0), A = ((0, -omega), (omega, -2 D omega)), by the trapezoidal rule, stable for any step.
+// Computes the coefficients of the trapezoidal rule for e' = A e + (q', 0), e = (x, v), A = ((0, -omega), (omega, -2 D
+// omega)), which is stable at any step length.
 void ResidualBasis::prepareResonators(double dt, double* memory) const {
   const Resonators c = dt * half_omega_;
   const Resonators loss = 2.0 * layout_.damping * c;

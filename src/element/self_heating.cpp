@@ -9,20 +9,21 @@ namespace {
 
 enum HeatSlot { kRise, kLossForce };
 
-// Far beyond the largest softening; bounds the rise, which must stay finite for any displacement.
+// Bounds x far beyond the largest softening, so that x is finite for any displacement.
 constexpr double kLargestRise = 1e6;
 
 constexpr double kLeastFactor = 0.2;
 
 double factorAt(double rise) { return std::clamp(1.0 - rise, kLeastFactor, 1.0); }
 
-/// Factor on the test piece's force: 1 - x, at least 0.2 and at most 1, with dx/dt = s P - x/T.
-/// x is the temperature rise times the relative softening per kelvin; P the power absorbed by the viscous and friction
-/// parts after softening; s = (softening per kelvin)/(heat capacity); T = (heat capacity)/(heat transfer). In steady
-/// operation x tends to s T (mean P). Stiffness and loss fall by the same factor. Each step uses the mean of the forces
-/// at its ends and the exact decay of x. Validity: one temperature for the whole test piece; the ambient temperature
-/// and the shift of frequencies are neglected. Memory: x, the loss force of the last step. Source: lumped heat balance,
-/// e.g. A. R. Johnson and T.-K. Chen, Comput. Methods Appl. Mech. Eng. 194 (2005) 313-325.
+/// Multiplies the force of the test piece by 1 - x, at least 0.2 and at most 1, with dx/dt = s P - x/T.
+/// x is the temperature rise times the relative softening per kelvin. P is the power absorbed by the softened viscous
+/// and friction forces. s = (softening per kelvin)/(heat capacity), T = (heat capacity)/(heat transfer coefficient). In
+/// steady operation x tends to s T (mean P). Stiffness and loss are multiplied by the same factor. Each step uses the
+/// mean of the forces at its start and end, and the exact decay of x. Validity: one temperature for the whole test
+/// piece; the ambient temperature and the shift of frequencies are neglected. Memory: x, and the viscous plus friction
+/// force of the last step. Source: lumped heat balance, e.g. A. R. Johnson and T.-K. Chen, Comput. Methods Appl. Mech.
+/// Eng. 194 (2005) 313-325.
 class SelfHeating final : public ForceEffect {
  public:
   SelfHeating(double energy_sensitivity /* s [1/J] */, double time_constant /* T [s] */)
@@ -35,7 +36,7 @@ class SelfHeating final : public ForceEffect {
     const double mean_force = 0.5 * (loss_force + memory[kLossForce]) * factorAt(memory[kRise]);
     const Relaxation cooling = Relaxation::over(motion.dt / time_constant_);
     const double heating = energy_sensitivity_ * mean_force * motion.increment;
-    // At constant power over the step: x+ = x e + s P T (1 - e).
+    // If the power is constant over the step, the new x is x e + s P T (1 - e) with e = exp(-dt/T).
     const double rise = memory[kRise] * cooling.decay + heating * cooling.mean;
     memory[kRise] = std::clamp(rise, -kLargestRise, kLargestRise);
     memory[kLossForce] = loss_force;

@@ -4,11 +4,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F_recorded = (1 + g) F with the gain error g: an amplifier or a load cell that is not calibrated.
+/// Multiplies the force by 1 + g with the gain error g of an amplifier or a load cell that is not calibrated.
 ///
-/// It acts on the force of the test piece; forces of rig masses and offsets are added after it. It cannot be
-/// distinguished from an error of all stiffnesses and dampings by one factor. Validity: with a series compliance a
-/// small g only, since the deflection follows the recorded force.
+/// The factor acts on the force of the test piece; forces of rig masses and offsets are added afterwards. A gain error
+/// cannot be distinguished from a common factor on all stiffnesses and dampings. Validity: with a series compliance
+/// only a small g, since the deflection follows the recorded force.
 class SensorGain final : public ForceEffect {
  public:
   explicit SensorGain(double gain /* g [-] */) : factor_(1.0 + gain) {}

@@ -6,14 +6,15 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// Deflection u = F/(K_s (1 + |F|/F_c)), optionally for one sign of the force only. The component solves for the
-/// displacement of the test piece at each step. The deflections of several elements add up.
+/// Adds the deflection u = F/(K_s (1 + |F|/F_c)), optionally for one sign of the force only. The component solves for
+/// the displacement of the test piece at each step. The deflections of several elements are added.
 ///
-/// Without a closing force u = F/K_s: 1/K*_measured = 1/K* + 1/K_s lowers stiffness and loss angle, with the same K_s
-/// at all frequencies. With one, the contact closes under load: the tangent compliance is
-/// 1/(K_s (1 + |F|/F_c)^2), the secant compliance is halved at F_c, and the closure is below F_c/K_s. A bolted
-/// connection that opens in tension, or a pad that is not attached, is one compliance of one side in series with one of
-/// both. Source of the closure: Bandis, Lumsden and Barton, Int. J. Rock Mech. Min. Sci. 20 (1983) 249-268.
+/// Without a closing force F_c, u = F/K_s. Then 1/K*_measured = 1/K* + 1/K_s, which lowers stiffness and loss angle
+/// with the same K_s at all frequencies. With F_c, the contact closes under load: the tangent compliance is
+/// 1/(K_s (1 + |F|/F_c)^2), the secant compliance is halved at F_c, and the deflection remains below F_c/K_s. A bolted
+/// connection that opens in tension, or a pad that is not attached, is a compliance for one sign of the force in series
+/// with another for both signs. Source of the closure: Bandis, Lumsden and Barton, Int. J. Rock Mech. Min. Sci. 20
+/// (1983) 249-268.
 class SeriesCompliance final : public SeriesElement {
  public:
   enum class Side { compression = -1, both = 0, tension = 1 };

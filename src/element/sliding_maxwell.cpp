@@ -1,4 +1,4 @@
-// Maxwell element with a slider: relaxes below a limit of its force and slides at it.
+// Maxwell element with a slider: it relaxes while its force is below a limit and slides at this limit.
 #include <algorithm>
 
 #include "element/registry.h"
@@ -7,13 +7,14 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// dF/dt = k dz/dt - F/tau, tau = 1/(2 pi f_b), with |F| limited to k y. Below the break frequency the element relaxes
-/// before it slides; above, it slides at the amplitude y. So the stiffness falls with amplitude at high frequency only.
-/// For a given y the force is proportional to k.
+/// Simulates dF/dt = k dz/dt - F/tau, tau = 1/(2 pi f_b), with |F| limited to k y. Well below the break frequency f_b
+/// the element relaxes before it slides; above f_b it slides at amplitudes beyond y. So the stiffness falls with
+/// amplitude at high frequency only. For a given y the force is proportional to k.
 ///
-/// For a displacement that is linear between samples the force is monotonic over a step, so clamping it at the end is
-/// exact. Dissipates. Memory: the force. Source: J. F. Besseling, J. Appl. Mech. 25 (1958) 529-536 (sublayers that
-/// yield); as an overlay model of rubber: P.-E. Austrell, A. K. Olsson, Polymer Testing 32 (2013) 306-312.
+/// For a displacement that is linear between samples the force is monotonic over a step, so clamping it at the end of
+/// the step is exact. The law dissipates. Memory: the force. Source: J. F. Besseling, J. Appl. Mech. 25 (1958) 529-536
+/// (sublayers that yield); as an overlay model of rubber: P.-E. Austrell, A. K. Olsson, Polymer Testing 32 (2013)
+/// 306-312.
 class SlidingMaxwell final : public ParallelElement {
  public:
   SlidingMaxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */,

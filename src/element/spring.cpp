@@ -4,7 +4,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = k z. Validity: a linear static characteristic.
+/// Simulates F = k z. Validity: a linear static characteristic.
 /// Source: Polach (IAVSD 2015), element k0 of every model.
 class Spring final : public ParallelElement {
  public:

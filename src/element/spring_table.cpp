@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kTableName = "spring_table";
 
-// A table without the point (0, 0) passes through it by interpolation, hence only up to rounding.
+// A table without the point (0, 0) passes through this point only up to the rounding error of the interpolation.
 constexpr double kRelativeOffset = 1e-9;
 
 void checkLengths(const std::vector<double>& displacement, const std::vector<double>& force) {
@@ -37,13 +37,15 @@ void checkOrder(const std::vector<double>& displacement, const std::vector<doubl
   }
 }
 
-/// F(z) through the points (z_i, F_i), linear between them and with the end slopes beyond. No loss.
-/// The displacements increase. If `monotone`, the forces do not decrease and F(0) = 0: a preload is a `force_offset`.
-/// Otherwise any forces are accepted, such as absolute ones over absolute displacements; the spring may be active.
-/// Validity: a quasi-static characteristic between the end points; beyond them the table only extrapolates.
+/// Simulates F(z) through the points (z_i, F_i), linear between them and with the slopes of the first and last piece
+/// beyond. No loss.
+/// The displacements increase. If `monotone` is true, the forces must not decrease and F(0) must be 0; a preload is
+/// then a `force_offset`. Otherwise any forces are accepted, such as absolute forces at absolute displacements, and the
+/// law may not be passive. Validity: a quasi-static characteristic between the end points; beyond them the table only
+/// extrapolates.
 class SpringTable final : public ParallelElement {
  public:
-  /// Throws std::invalid_argument on lists that break the rules above.
+  /// Throws std::invalid_argument if the lists break these rules.
   SpringTable(std::vector<double> displacement /* [m] */, std::vector<double> force /* [N] */, bool monotone)
       : displacement_(std::move(displacement)), force_(std::move(force)), monotone_(monotone) {
     checkLengths(displacement_, force_);

@@ -12,19 +12,20 @@ namespace rubber_suspension::element {
 namespace {
 
 constexpr double kTwoPi = 2.0 * kPi;
-constexpr double kMaximumDecadesOfFrequency = 20.0;  // of the range; bounds the memory
+constexpr double kMaximumDecadesOfFrequency = 20.0;  // limit of the range, which bounds the memory
 const double kSpacing = std::log(10.0) / 2.0;
-constexpr double kMargin = 10.0;  // ratio by which the grid reaches beyond the range at either end
+constexpr double kMargin = 10.0;  // factor by which the grid of break frequencies exceeds the range at either end
 
-// One element for all grid points below `first`, a geometric series of weights x^alpha with the sum W and the centre of
-// gravity x_t. Well above their frequencies their sum is W s/(s + x_t) up to the second moment.
+// Returns one element for all grid points x below `first`. Their weights x^alpha form a geometric series with the sum W
+// and the centre of gravity x_t. Well above these frequencies their sum is W s/(s + x_t) up to the second moment.
 Maxwell lowTail(double scale, double first, double order) {
   const double weight = std::pow(first, order) / std::expm1(order * kSpacing);
   const double moment = std::pow(first, order + 1.0) / std::expm1((order + 1.0) * kSpacing);
   return {scale * weight, moment / weight / kTwoPi};
 }
 
-// One element for all grid points above `last`, for frequencies well below: dampings x^(alpha-1), squares x^(alpha-2).
+// Returns one element for all grid points x above `last`. At frequencies well below them it has their total damping,
+// the sum of x^(alpha-1), and their second moment, the sum of x^(alpha-2).
 Maxwell highTail(double scale, double last, double order) {
   const double damping = std::pow(last, order - 1.0) / std::expm1((1.0 - order) * kSpacing);
   const double square = std::pow(last, order - 2.0) / std::expm1((2.0 - order) * kSpacing);
@@ -35,23 +36,23 @@ Maxwell highTail(double scale, double last, double order) {
 struct SpringpotLaw {
   double stiffness;            // K_r = |K*| at the reference frequency [N/m]
   double reference_frequency;  // f_r [Hz]
-  double order;                // alpha in (0, 1): towards 0 a spring, towards 1 a dashpot [-]
-  double low_frequency;        // ends of the range in which the bank follows the law [Hz]
-  double high_frequency;
+  double order;                // alpha in (0, 1), a spring near 0 and a dashpot near 1 [-]
+  double low_frequency;        // lower end of the range in which the bank follows the law [Hz]
+  double high_frequency;       // upper end of this range [Hz]
 };
 
 /// Returns Maxwell elements of positive stiffness that realise F = K_r (d/dt / (2 pi f_r))^alpha z.
 ///
-/// Realisation: (s/w_r)^alpha = sin(pi alpha)/pi  int (x/w_r)^alpha s/(s + x) dx/x  over all break frequencies x. The
-/// integral is approximated by a sum over a geometric grid, two elements per decade, from a decade below the range to a
-/// decade above it; the rest beyond either end is one Maxwell element that matches its first two moments. Error
-/// |K*/K*_law - 1| within the range: below 1e-3 for every order (mostly that of the grid, exp(-pi^2/ln sqrt(10)) =
-/// 2e-4). Unlike the law, the bank relaxes to zero force below the range and has a finite stiffness above. Source: M.
-/// Sjöberg and L. Kari, Vehicle System Dynamics 37 (2002) 217-236; K. Sedlaczek, S. Dronka and J. Rauh, Vehicle System
-/// Dynamics 49 (2011) 741-759.
+/// With w_r = 2 pi f_r, (s/w_r)^alpha is sin(pi alpha)/pi times the integral of (x/w_r)^alpha s/(s + x) dx/x over all
+/// break frequencies x. The integral is approximated by a sum over a geometric grid, two elements per decade, from a
+/// decade below the range to a decade above it. One Maxwell element at either end matches the first two moments of the
+/// rest. Within the range the error |K*/K*_law - 1| is below 1e-3 for every order; most of it is the error of the grid,
+/// exp(-pi^2/ln sqrt(10)) = 2e-4. Unlike the law, the bank relaxes to zero force below the range and has a finite
+/// stiffness above. Source: M. Sjöberg and L. Kari, Vehicle System Dynamics 37 (2002) 217-236; K. Sedlaczek, S. Dronka
+/// and J. Rauh, Vehicle System Dynamics 49 (2011) 741-759.
 std::vector<Maxwell> springpotBank(const SpringpotLaw& law) {
-  // In units of the reference angular frequency. sin(pi alpha) is that of the smaller of alpha and 1 - alpha, which is
-  // accurate near both limits.
+  // Frequencies are in units of the reference frequency. The sine of the smaller of pi alpha and pi (1 - alpha) is
+  // accurate near both limits of alpha.
   const double sine = std::sin(kPi * std::min(law.order, 1.0 - law.order));
   const double scale = law.stiffness * sine / kPi * kSpacing;
   const double first = law.low_frequency / kMargin / law.reference_frequency;

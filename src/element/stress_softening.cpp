@@ -1,4 +1,4 @@
-// Stress softening (Mullins effect): softer within displacements that were reached before.
+// Stress softening (Mullins effect): a test piece is softer within displacements that it has reached before.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 
 enum SofteningSlot { kLargest, kReach };
 
-// Avoids std::pow for the powers that fits try most.
+// Returns std::pow(base, exponent), faster for the exponents that fits try most.
 double powerOf(double base, double exponent) {
   if (exponent == 1.0) {
     return base;
@@ -18,22 +18,25 @@ double powerOf(double base, double exponent) {
   return exponent == 2.0 ? base * base : std::pow(base, exponent);
 }
 
-// tanh with a small absolute error, which suffices for a factor; a small relative error near 0 would cost more.
+// Returns tanh with a small absolute error, which suffices for a factor and costs less than a small relative error near
+// 0.
 double tanhOf(double value) { return 1.0 - 2.0 / (1.0 + std::exp(2.0 * value)); }
 
-/// Factor on the test piece's force: 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - |z/S|^a for |z| < S, and 1 for |z| >= S.
+/// Multiplies the force of the test piece by 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - |z/S|^a for |z| < S, or by 1 for |z|
+/// >= S.
 ///
-/// S is the softened reach, at most the largest past displacement M. With path length L = 0 it equals M, so the factor
-/// is 1 on the first loading and beyond the largest past displacement. With L > 0 it approaches M with the
+/// S is the softened reach, at most the largest past displacement M. With path length L = 0, S equals M, so the factor
+/// is 1 on the first loading and beyond M. With L > 0, S approaches M with the
 /// distance travelled, dS = (M - S)(1 - exp(-|dz|/L)), so that softening takes about L/(4 A) cycles of amplitude A.
-/// Within S the factor depends on z only, so the effect adds loss on the first loading only.
+/// While S is constant, the factor depends on z only, so the effect adds loss only while S grows.
 ///
 /// The reduction grows with the reach, R(S) = R min(S/S_f, 1)^q; for q = 0 it is R at any reach.
-/// With a side, only displacements to that side count and are softened. The reduction rises linearly from none at S/4
-/// on the other side of zero to its full value at S/4 on that side, so that the force has no jump.
-/// With a recovery time T, M and S return to the present displacement, dM/dt = -(M - |z|)/T; without it softening is
-/// permanent, as it is over the hours of a test.
-/// Validity: displacement represents the strain energy, which requires one shape of the test piece and one kind of
+/// With a side, only displacements to that side determine M, and only the force on that side is softened. The reduction
+/// rises linearly from 0 at S/4 on the other side of zero to its full value at S/4 on that side, so that the force has
+/// no jump.
+/// With a recovery time T, M and S return to the present displacement, dM/dt = -(M - |z|)/T. Without T softening is
+/// permanent, as it is in rubber over the hours of a test.
+/// Validity: the displacement must determine the strain energy, as for one shape of the test piece and one kind of
 /// load. Memory: M, S.
 /// Source: pseudo-elasticity of R. W. Ogden and D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877, here with a tanh
 /// instead of their error function. For a = 2, u is the share by which the energy of a linear spring is below its
@@ -63,7 +66,7 @@ class StressSoftening final : public ForceEffect {
     memory[kLargest] = memory[kReach] = reachOf(displacement);
   }
 
-  // A long rest undoes all softening if there is a recovery time; otherwise only a new largest displacement matters.
+  // A long rest undoes all softening if there is a recovery time. Otherwise it can only extend the reaches.
   double relax(double displacement, double* memory) const override {
     if (parameters_.recovery_time > 0.0) {
       initialise(displacement, memory);
@@ -102,7 +105,7 @@ class StressSoftening final : public ForceEffect {
   }
 
  private:
-  /// Returns the reach of a displacement on the active side [m].
+  /// Returns the distance [m] of a displacement from 0 on the active side, which is 0 on the other side.
   double reachOf(double displacement) const {
     return parameters_.side == Side::both ? std::abs(displacement)
                                           : std::max(0.0, static_cast<double>(parameters_.side) * displacement);
@@ -110,7 +113,7 @@ class StressSoftening final : public ForceEffect {
 
   /// Returns the share of the reduction at a displacement: 0 on the other side, 1 on the active side [-].
   double shareOfSide(double displacement, double reach) const {
-    constexpr double kBlended = 0.25;  // of the reach, to either side of zero
+    constexpr double kBlended = 0.25;  // share of the reach, to either side of zero
     if (parameters_.side == Side::both) {
       return 1.0;
     }
@@ -124,7 +127,7 @@ class StressSoftening final : public ForceEffect {
                            : parameters_.reduction * powerOf(std::min(reach / parameters_.full_reach, 1.0), exponent);
   }
 
-  // Both reaches decay towards that of the present displacement.
+  // Lets M and S decay towards the present displacement, of which `reached` is the distance from 0 [m].
   void recover(double dt, double reached, double* memory) const {
     const double kept = Relaxation::over(dt / parameters_.recovery_time).decay;
     for (const SofteningSlot slot : {kLargest, kReach}) {

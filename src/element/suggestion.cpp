@@ -1,4 +1,4 @@
-// Edit distance by rows, and the nearest word.
+// Edit distance of two words, and the known word that is nearest to another one.
 #include "element/suggestion.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ bool hasPart(const std::string& name, const std::string& part) {
   return (at == 0 || isSeparator(name, at - 1)) && (end == name.size() || isSeparator(name, end));
 }
 
-// Returns the nearest word within a limit. A larger difference of the lengths alone excludes a word.
+// Returns the known word with the smallest edit distance, or nullopt if this distance exceeds a limit.
 std::optional<std::string> nearestWithin(const std::string& word, const std::vector<std::string>& known) {
   std::optional<std::string> nearest;
   std::size_t least = 0;

@@ -17,16 +17,17 @@ std::vector<std::string> namesOf(const Rows& rows) {
   return names;
 }
 
-/// Returns the number of letters to change, add, omit or swap with their neighbour to turn one word into the other,
-/// regardless of case (optimal string alignment).
+/// Returns the number of letters to change, add, omit or swap with their neighbour to turn one word into the other.
+/// Case is ignored (optimal string alignment).
 std::size_t editDistance(const std::string& one, const std::string& other);
 
-/// Returns the name for a symbol of the literature; else the known word nearest by editDistance(), with at most one
-/// letter in three wrong (of two letters only the case); else the only known one that contains the word as a whole
-/// part, as "static_stiffness" contains "static". Returns nullopt if no word is near, or the word is known.
+/// Returns the known word that is probably meant: the name for a symbol of the literature, or else the known word
+/// nearest by editDistance(), if at most one letter in three is wrong, or else the only known word that contains `word`
+/// as a whole part, as "static_stiffness" contains "static". Returns nullopt if there is none or `word` itself is
+/// known.
 std::optional<std::string> nearestWord(const std::string& word, const std::vector<std::string>& known);
 
-/// Returns " (did you mean 'NAME'?)" to append to an error message; empty without a near word.
+/// Returns " (did you mean 'NAME'?)" to append to an error message, or an empty text if nearestWord() returns nullopt.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace rubber_suspension::element

@@ -1,4 +1,4 @@
-// Code that laws of temperature share.
+// Code that all temperature shifts share.
 #include "rubber_suspension/element/temperature_shift.h"
 
 namespace rubber_suspension::element {

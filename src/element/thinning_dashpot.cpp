@@ -7,9 +7,9 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// F = c v/(1 + |v|/v_h), v = dz/dt: a linear dashpot for slow motion, with half of its damping at the rate v_h and a
-/// force below c v_h. The rate at a sample is that of SmoothRateDashpot. Source: M. M. Cross, J. Colloid Sci. 20 (1965)
-/// 417-437, Eq. 6, with the exponent 1 and no damping at infinite rate.
+/// Simulates F = c v/(1 + |v|/v_h), v = dz/dt, which is a linear dashpot for slow motion. At the rate v_h its damping
+/// is halved; its force remains below c v_h. SmoothRateDashpot gives the rate at a sample. Source: M. M. Cross, J.
+/// Colloid Sci. 20 (1965) 417-437, Eq. 6, with the exponent 1 and no damping at infinite rate.
 class ThinningDashpot final : public SmoothRateDashpot {
  public:
   ThinningDashpot(double damping /* c [N s/m] */, double half_rate /* v_h [m/s] */)
@@ -17,7 +17,7 @@ class ThinningDashpot final : public SmoothRateDashpot {
 
   double step(const Motion& motion, double* memory) const override { return force(rateAfter(motion, memory)); }
 
-  /// Force [N] at a rate [m/s].
+  /// Returns the force [N] at a rate [m/s].
   double force(double rate) const { return damping_ * rate / (1.0 + std::abs(rate) / half_rate_); }
 
  private:

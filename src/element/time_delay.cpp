@@ -10,7 +10,8 @@ namespace {
 constexpr double kLongestAdvance = 0.02;  // [s]
 constexpr double kLongestDelay = 0.05;    // [s]
 constexpr int kSamples = 256;
-// Smallest number of spacings that the ring contains: two consecutive intervals exceed one spacing (see store()).
+// The ring covers at least this number of spacings, since two consecutive intervals together exceed one spacing (see
+// store()).
 constexpr int kSpacings = kSamples / 2 - 2;
 
 // Memory: the time since the start, the index of the newest sample, the number of samples, times and displacements.
@@ -21,16 +22,17 @@ int after(int index) { return (index + 1) % kSamples; }
 
 bool isWhole(double value, int low, int high) { return value >= low && value <= high && std::floor(value) == value; }
 
-/// The displacement of the test piece is z(t - T). For T > 0 the force is late, so the loss angle falls by 360 degrees
-/// times f T (3.6 degrees for 1 ms at 10 Hz), possibly below zero; the magnitude does not change. T < 0 increases the
-/// loss angle, as a late displacement signal does.
+/// Delays the displacement of the test piece to z(t - T). For T > 0 the force is late, so the loss angle falls by 360
+/// degrees times f T (3.6 degrees for 1 ms at 10 Hz), possibly below zero, while the magnitude does not change. T < 0
+/// increases the loss angle, as a late displacement signal does.
 ///
-/// T > 0: a ring buffer in the memory contains 256 past samples, and the displacement is linear between them, at any
-/// step length; before the start it is constant. If the sampling interval is below T/126, the samples are thinned to
-/// T/126, so that the ring always covers T; the error is then that of a chord, (w T/126)^2/8 under a sine.
+/// For T > 0 a ring buffer in the memory contains 256 past samples at any step length. The displacement is linear
+/// between them and constant before the start. If the sampling interval is below T/126, the samples are thinned to
+/// intervals of about T/126, so that the ring always covers T. Linear interpolation then errs by (w T/126)^2/8 of the
+/// amplitude under a sine.
 ///
-/// T < 0: the displacement is extrapolated along the last step, z + |T| dz/dt, which is valid while w |T| is well below
-/// 1 (error (w T)^2/2) and noise is small: |T| should be a few samples at most.
+/// For T < 0 the displacement is extrapolated along the last step, z + |T| dz/dt, which is valid while w |T| is well
+/// below 1 (error (w T)^2/2) and noise is small. |T| should be a few samples at most.
 ///
 /// Source: shift theorem of the Fourier transform, K* exp(-i w T).
 class TimeDelay final : public DisplacementEffect {
@@ -63,14 +65,15 @@ class TimeDelay final : public DisplacementEffect {
   bool ofSensor() const override { return true; }
   bool ofMeasuringChain() const override { return true; }
 
-  /// exp(-i w T) for T > 0; 1 + i w |T| for T < 0, as for the extrapolation.
+  /// Returns exp(-i w T) for T > 0, or 1 + i w |T| for T < 0, which is the transfer function of the extrapolation.
   std::optional<std::complex<double>> transfer(double omega) const override {
     return delay_ > 0.0 ? std::polar(1.0, -omega * delay_) : std::complex<double>(1.0, -omega * delay_);
   }
   bool passive() const override { return false; }
 
  private:
-  // The next sample replaces the newest one if it lies within one spacing of the sample before.
+  // Stores a sample. It replaces the newest stored one if it is within one spacing of the stored sample before that
+  // one.
   void store(double time, double displacement, double* memory) const {
     int newest = static_cast<int>(memory[kNewest]);
     const bool replace = memory[kCount] >= 2.0 && time - memory[kTimes + before(newest)] < delay_ / kSpacings;

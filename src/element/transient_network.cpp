@@ -13,20 +13,21 @@ namespace {
 
 enum NetworkSlot { kNetworkForce, kIntact, kNetworkPlace };
 
-// Integral of exp(-a t) exp(-b (dt - t)) over a step: (exp(-a dt) - exp(-b dt))/(b - a) without cancellation.
+// Returns (exp(-a dt) - exp(-b dt))/(b - a) without cancellation, the integral of exp(-a t) exp(-b (dt - t)) over a
+// step.
 double overlap(double a, double b, double dt) {
   return std::exp(-std::min(a, b) * dt) * dt * Relaxation::over(std::abs(a - b) * dt).mean;
 }
 
-/// dF/dt = k m dz/dt - (1/tau + |dz/dt|/s) F, dm/dt = (1 - m)/T - m |dz/dt|/s, tau = 1/(2 pi f_b). m is the share of
-/// the chains that is intact. Motion breaks chains, which lose their force, and new ones form without force. In steady
-/// motion of mean speed v, m = 1/(1 + v T/s): the settled law is friction whose limit k m s falls with the speed. m
-/// depends on the displacement only, so the force is linear in k.
+/// Simulates dF/dt = k m dz/dt - (1/tau + |dz/dt|/s) F, dm/dt = (1 - m)/T - m |dz/dt|/s, tau = 1/(2 pi f_b), where m is
+/// the share of the chains that is intact. Motion breaks chains, which lose their force, and new chains form without
+/// force. In steady motion of mean speed v, m = 1/(1 + v T/s), so the settled law is friction whose limit k m s falls
+/// with the speed. m depends on the displacement only, so the force is linear in k.
 ///
-/// With a dead band, the speed that breaks chains is that behind play of this width, so that noise within it breaks
-/// none. The step is exact for a displacement that is linear over it. Passive: with the energy W = F^2/(2 k m) the
-/// power lost is (1/tau + |dz/dt|/(2 s)) F^2/(k m) + (1 - m) F^2/(2 k m^2 T) >= 0. Memory: the force, m, the
-/// displacement behind the play [m]. Source: M. S. Green, A. V. Tobolsky, J. Chem. Phys. 14 (1946) 80-92.
+/// With a dead band, the speed that breaks chains is the speed behind play of this width, so that noise within the play
+/// breaks no chains. The step is exact for a displacement that is linear over it. The law is passive: with the energy W
+/// = F^2/(2 k m) the power lost is (1/tau + |dz/dt|/(2 s)) F^2/(k m) + (1 - m) F^2/(2 k m^2 T) >= 0. Memory: the force,
+/// m, the displacement behind the play [m]. Source: M. S. Green, A. V. Tobolsky, J. Chem. Phys. 14 (1946) 80-92.
 class TransientNetwork final : public ParallelElement {
  public:
   struct Parameters {

@@ -8,11 +8,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// b_T = 1 + a (exp(-(T - T_0)/w) - 1), a_T = 1: with cooling the stiffness rises ever more steeply, as that of rubber
-/// towards its glass transition; far above T_0 it tends to the share 1 - a.
+/// Shifts by b_T = 1 + a (exp(-(T - T_0)/w) - 1), a_T = 1. On cooling the stiffness rises ever more steeply, as rubber
+/// does towards its glass transition. Far above T_0 the factor b_T tends to 1 - a.
 ///
-/// Valid where the factor is positive and the exponential is below 20 decades. Source: the foot of the transition in
-/// isochronous moduli, J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
+/// Validity: temperatures at which b_T is positive and the exponential is below 1e20. Source: the foot of the
+/// transition in isochronous moduli, J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11.
 class TransitionShift final : public TemperatureShift {
  public:
   TransitionShift(double share /* a [-] */, double width /* w [K] */, double reference /* T_0 [degC] */)

@@ -11,20 +11,20 @@ namespace {
 
 enum FrictionSlot { kStretch, kBristleState, kWay };
 
-/// A Jenkins slider: a spring k that slides at the force k y m (1 + |z|/d).
+/// Simulates a Jenkins slider: a spring k in series with a slider that slides at the force k y m (1 + |z|/d).
 ///
 /// With a displacement d the limit grows with the displacement, as in a seat whose pressure rises with its travel, so
-/// the loss grows faster than the amplitude. With a travel s the state m wears, dm/ds' = -m/s over the distance s', and
-/// with a build-up time T_b it recovers at rest, dm/dt = (1 - m)/T_b - m |dz/dt|/s (thixotropy: the friction falls with
+/// the loss grows faster than the amplitude. With a travel s the state m wears with the distance, dm/dt = -m |dz/dt|/s.
+/// With a build-up time T_b it also recovers, dm/dt = (1 - m)/T_b - m |dz/dt|/s (thixotropy: the friction falls with
 /// the rate). Without d, s and T_b it is Coulomb's friction behind a contact spring.
 ///
-/// The force is linear in k for given other parameters. The slider's limit varies, but not its stiffness, so the law
-/// dissipates for any motion. m is exact for a displacement that is linear over the step; the limit is that at the end
-/// of the step. With a dead band, the distance is that behind play of this width, so that noise within it causes no
-/// wear. Validity: one rate for wear and build-up. Memory: stretch of the spring [m], m, the displacement behind the
-/// play [m]; a long rest sets m to 1 unless T_b is 0, for which wear is permanent. Source: C. F. Jenkin, Engineering
-/// 114 (1922) 603; the state of a structure that motion breaks down: P. Haupt, K. Sedlan, Arch. Appl. Mech. 71 (2001)
-/// 89-109; P. Hofer, A. Lion, J. Mech. Phys. Solids 57 (2009) 500-520.
+/// The force is linear in k for given other parameters. The limit of the force varies, but the stiffness is constant,
+/// so the law dissipates for any motion. m is exact for a displacement that is linear over the step, at whose end the
+/// limit is evaluated. With a dead band, the distance is measured behind play of this width, so that noise within the
+/// play causes no wear. Validity: one rate of wear and one of build-up. Memory: the stretch of the spring [m], m, and
+/// the displacement behind the play [m]. A long rest sets m to 1 unless T_b is 0, for which wear is permanent. Source:
+/// C. F. Jenkin, Engineering 114 (1922) 603; the state of a structure that motion breaks down: P. Haupt, K. Sedlan,
+/// Arch. Appl. Mech. 71 (2001) 89-109; P. Hofer, A. Lion, J. Mech. Phys. Solids 57 (2009) 500-520.
 class VariableFriction final : public ParallelElement {
  public:
   struct Parameters {

@@ -1,4 +1,4 @@
-// Shift by the equation of Williams, Landel and Ferry.
+// Temperature shift by the equation of Williams, Landel and Ferry.
 #include <cmath>
 
 #include "element/registry.h"
@@ -7,12 +7,12 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// log10 a_T = -C_1 (T - T_0)/(C_2 + T - T_0), b_T = 1 + beta (T - T_0).
+/// Shifts by log10 a_T = -C_1 (T - T_0)/(C_2 + T - T_0), b_T = 1 + beta (T - T_0).
 ///
-/// C_1 and C_2 depend on the reference temperature, but C_1 C_2 and T_0 - C_2 do not. So C_1 and C_2 at T_g correspond
-/// to C_1 C_2/(C_2 + T_0 - T_g) and C_2 + T_0 - T_g at T_0. Without data, C_1 = 17.44 and C_2 = 51.6 K at T_g.
-/// Validity: from T_g to about T_g + 100 K. The equation is singular at T_0 - C_2; it is limited to 20 decades above
-/// that.
+/// C_1 and C_2 depend on the reference temperature, but C_1 C_2 and T_0 - C_2 do not. So constants C_1 and C_2 for the
+/// reference temperature T_g become C_1 C_2/(C_2 + T_0 - T_g) and C_2 + T_0 - T_g for T_0. Without data, use C_1 =
+/// 17.44 and C_2 = 51.6 K for T_g. Validity: from T_g to about T_g + 100 K. The equation is singular at T_0 - C_2, so
+/// the range of temperatures begins where the shift is 20 decades.
 /// Source: M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701-3707; constants of rubbers: J.
 /// D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, table 11-II.
 class WlfShift final : public TemperatureShift {
@@ -33,7 +33,7 @@ class WlfShift final : public TemperatureShift {
   }
 
   Range temperatures() const override {
-    // -C_1 x/(C_2 + x) = kMostDecades, x = T - T_0.
+    // At the lowest temperature, -C_1 x/(C_2 + x) = kMostDecades with x = T - T_0.
     const double lowest = parameters_.reference - parameters_.c2 * kMostDecades / (kMostDecades + parameters_.c1);
     Range range;
     range.lower = lowest;

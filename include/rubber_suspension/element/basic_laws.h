@@ -1,12 +1,12 @@
-// Springs, dashpots, Maxwell elements and Berg friction as plain numbers, for code that steps many of them fast.
+// Springs, dashpots, Maxwell elements and Berg friction as plain numbers, for code that steps many such laws fast.
 #pragma once
 
 #include <vector>
 
 namespace rubber_suspension::element {
 
-/// Contains the parameters of the laws that most components consist of, acting in parallel. ParallelElement::addTo()
-/// adds a law to such a sum. Throws nothing.
+/// Contains the parameters of springs, dashpots, Maxwell elements and Berg friction that act in parallel in a
+/// component. ParallelElement::addTo() adds one law to them. Throws nothing.
 struct BasicLaws {
   struct MaxwellNumbers {
     double stiffness;  ///< k [N/m]
@@ -21,7 +21,7 @@ struct BasicLaws {
   double stiffness = 0.0;  ///< sum over all springs [N/m]
   double damping = 0.0;    ///< sum over all dashpots [N s/m]
   std::vector<MaxwellNumbers> maxwells;
-  std::vector<FrictionNumbers> frictions;  ///< Berg's elements
+  std::vector<FrictionNumbers> frictions;  ///< Berg friction
 };
 
 }  // namespace rubber_suspension::element

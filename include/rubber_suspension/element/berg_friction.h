@@ -9,10 +9,10 @@
 
 namespace rubber_suspension::element {
 
-/// Contains the constants of the branch on one side of its reference point, computed once for many samples.
+/// Contains the constants of a branch to one side of the reference point. They are computed once for many samples.
 struct BergSide {
-  double direction = 0.0;  ///< its sign is that of the motion; 0: no branch, so that keepsDirection() is false
-  double left = 0.0;       ///< F_max or -F_max minus the reference force [N]
+  double direction = 0.0;  ///< sign of the motion; 0 without a branch, so that keepsDirection() returns false
+  double left = 0.0;       ///< limit F_max or -F_max, minus the reference force [N]
   double reach = 1.0;      ///< z2 (1 - mu) or z2 (1 + mu), greater than 0 [m]
 
   /// Returns the change of the force [N] after an absolute travel [m] from the reference point.
@@ -24,9 +24,9 @@ struct BergSide {
 /// From the reference point (z_s, F_s), with mu = F_s/F_max:
 ///   z > z_s: F = F_s + (z - z_s)(F_max - F_s)/(z2 (1 - mu) + z - z_s)
 ///   z < z_s: F = F_s + (z - z_s)(F_max + F_s)/(z2 (1 + mu) - (z - z_s))
-/// The reference point moves to the reversal point once the motion has backed off from it by more than the dead band;
-/// until then the force returns along the present branch. A dead band of 6 standard deviations of the sensor noise
-/// keeps peak force and loss within 3 %; simulated displacements need none.
+/// Once the motion has backed off from a reversal point by more than the dead band, the reversal point becomes the
+/// reference point. Until then the force returns along the present branch. A dead band of 6 standard deviations of the
+/// sensor noise changes peak force and loss by at most 3 %. Simulated displacements need no dead band.
 /// Minor loops do not close (the element has no memory of earlier reversals); `iwan` closes them.
 /// Source: M. Berg, Proc. IMechE F 211 (1997) 95-108; Vehicle System Dynamics 30 (1998) 197-212.
 class BergFriction final : public ParallelElement {
@@ -43,7 +43,8 @@ class BergFriction final : public ParallelElement {
   double deadBand() const { return dead_band_; }
   double compliance() const { return compliance_; }  ///< z2/F_max [m/N]
 
-  /// Layout of the memory: reference point, extremum since then, direction of the branch (+1, -1, 0 at rest).
+  /// Layout of the memory: reference point, extremum of the displacement since that point, direction of the branch (+1,
+  /// -1, or 0 at rest).
   enum Slot : std::size_t { kReferenceDisplacement, kReferenceForce, kExtremum, kDirection, kMemorySize };
   std::size_t memorySize() const override { return kMemorySize; }
   double initialise(double displacement, double* memory) const override;
@@ -54,7 +55,8 @@ class BergFriction final : public ParallelElement {
     return true;
   }
 
-  /// Starts on the settled loop of an amplitude [m] at its lower reversal point; returns the force there, -F_f0 [N].
+  /// Initialises the memory to the lower reversal point of the settled loop of an amplitude [m] about a centre [m];
+  /// returns the force at that point [N], which is -settledForce(amplitude).
   double startSettled(double amplitude, double centre, double* memory) const;
 
   /// Advances to a displacement [m]; returns the force [N].
@@ -68,7 +70,8 @@ class BergFriction final : public ParallelElement {
     return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
   }
 
-  /// Returns the present branch, at rest an empty one. While keepsDirection() is true, continueTo() equals advance().
+  /// Returns the present branch, which is empty at rest. While keepsDirection() returns true, continueTo() equals
+  /// advance().
   BergSide currentBranch(const double* memory) const {
     const double direction = memory[kDirection];
     // In a restored memory of unknown origin, the reference point may lie beyond the extremum.
@@ -87,12 +90,12 @@ class BergFriction final : public ParallelElement {
     return memory[kReferenceForce] + branch.rise(std::abs(displacement - memory[kReferenceDisplacement]));
   }
 
-  /// Advances the memory along displacements [m] until before the first one that reverses the motion; returns their
-  /// number. branch() gives the force at each of them.
+  /// Advances the memory through the displacements [m] that precede the first reversal of the motion and returns the
+  /// number of these displacements. branch() returns the force at each of them.
   std::size_t followUntilReversal(const double* displacement, std::size_t count, double* memory) const;
 
-  /// Makes a displacement [m] on the present branch the reference point of the opposite direction. The caller has to
-  /// set the extremum.
+  /// Reverses the motion at a displacement [m] on the present branch, which becomes the new reference point. The caller
+  /// has to set the extremum.
   void reverseAt(double reversal_point, double* memory) const {
     const double force = branch(reversal_point, memory[kReferenceDisplacement], memory[kReferenceForce]);
     memory[kReferenceForce] = std::clamp(force, -maximum_force_, maximum_force_);  // against rounding
@@ -118,8 +121,8 @@ class BergFriction final : public ParallelElement {
   double settledLoss(double amplitude) const;
 
  private:
-  /// Returns the branch on the side of the reference point to which a travel [m] leads. z2 (1 -+ mu) is z2/F_max times
-  /// the magnitude of the limit minus the reference force.
+  /// Returns the branch on the side of the reference point to which a travel [m] leads. Its length z2 (1 -+ mu) equals
+  /// z2/F_max times the distance of the reference force from the limit.
   BergSide side(double travel, double reference_force) const {
     // Avoids 0/0 at the reference point if friction is at its maximum there.
     constexpr double kTiny = std::numeric_limits<double>::min();
@@ -137,7 +140,8 @@ class BergFriction final : public ParallelElement {
     }
   }
 
-  /// Starts a branch from rest, or from the extremum once the motion has backed off by more than the dead band.
+  /// Starts a branch at the rest position, or at the extremum once the motion has backed off from it by more than the
+  /// dead band.
   void reverse(double displacement, double travel_back, double* memory) const {
     if (memory[kDirection] == 0.0) {
       if (displacement != memory[kReferenceDisplacement]) {

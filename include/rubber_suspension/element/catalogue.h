@@ -1,4 +1,4 @@
-// The list of all laws by their names in component files. The source file of each law enters it into the list.
+// The list of all laws by their names in component files. The source file of a law enters the law into the list.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ inline const Element& lawOf(const ElementPointer& element) {
   return std::visit([](const auto& law) -> const Element& { return *law; }, element);
 }
 
-/// Returns the law if its force adds to that of the others, else nullptr.
+/// Returns the law if it is a ParallelElement, otherwise nullptr.
 inline const ParallelElement* parallelLaw(const ElementPointer& element) {
   const auto* law = std::get_if<std::shared_ptr<const ParallelElement>>(&element);
   return law == nullptr ? nullptr : law->get();
@@ -39,8 +39,8 @@ struct ElementType {
   std::function<ElementPointer(const ElementDescription&)> make;
 };
 
-/// Returns a function that makes a law from its parameters of these names. They are in the order of the constructor's
-/// arguments or, if `Arguments` is given, of the members of that struct.
+/// Returns a function that makes a law from its parameters of these names. The names are in the order of the arguments
+/// of the constructor or, if a struct `Arguments` is given, in the order of its data members.
 template <class Law, class Arguments = void, class... Names>
 std::function<ElementPointer(const ElementDescription&)> makes(Names... names) {
   return [=](const ElementDescription& description) -> ElementPointer {
@@ -55,18 +55,18 @@ std::function<ElementPointer(const ElementDescription&)> makes(Names... names) {
 /// Returns all laws in the order of the reference page.
 const std::vector<ElementType>& elementTypes();
 
-/// Returns the law of that name, or nullptr.
+/// Returns the law of that name, or nullptr if there is none.
 const ElementType* findElementType(const std::string& name);
 
-/// Checks an entry against its table, fills in defaults and makes the law. Throws std::invalid_argument that names
-/// type, parameter, value and what is accepted.
+/// Checks an entry of a component file against the parameters of its law, fills in defaults and makes the law. Throws
+/// std::invalid_argument with a message that names type, parameter, value and accepted values.
 ElementPointer makeElement(const ElementDescription& description);
 
-/// Returns true if an entry describes the rig, not the rubber: it is marked so, or is an effect of the measuring chain.
-/// Throws as makeElement does.
+/// Returns true if an entry describes the rig instead of the rubber: it is marked as part of the rig, or it is an
+/// effect of the measuring chain. Throws as makeElement() does.
 bool isOfRig(const ElementDescription& description);
 
-/// Returns the entry with defaults filled in; throws as makeElement does.
+/// Returns the entry with defaults filled in. Throws as makeElement() does.
 ElementDescription complete(const ElementDescription& description);
 
 }  // namespace rubber_suspension::element

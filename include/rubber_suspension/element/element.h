@@ -1,4 +1,5 @@
-// Interfaces of the laws. A law object contains the parameters; the caller owns the memory. No law throws.
+// Interfaces of the laws. The object of a law contains the parameters of the law. The caller owns its memory. No law
+// throws.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +15,13 @@ namespace rubber_suspension::element {
 struct Motion {
   double dt;            ///< time since the previous sample [s], greater than 0
   double displacement;  ///< at the end of the step [m]
-  double increment;     ///< displacement minus that of the previous sample [m]
+  double increment;     ///< displacement minus the previous displacement [m]
 };
 
 /// Part of a component's force to which an element contributes.
 enum class Part { elastic, viscous, friction };
 
-/// Force of a component and the parts that it consists of [N]. Positive displacement gives positive force.
+/// Force of a component and its parts [N]. Positive displacement gives positive force.
 struct ComponentForce {
   double total = 0.0;
   double elastic = 0.0;
@@ -30,17 +31,17 @@ struct ComponentForce {
 
 /// Place of a law in the path from displacement to force.
 enum class Action {
-  adds_force,               ///< its force adds to that of the others
-  displaces,                ///< changes the displacement on which the others act
-  scales_force,             ///< multiplies the force of the others by a factor
-  yields,                   ///< is in series with the sum of all that add force
-  shifts_with_temperature,  ///< scales rates and force of the others with temperature
+  adds_force,               ///< adds its force to the forces of other laws
+  displaces,                ///< changes the displacement on which other laws act
+  scales_force,             ///< multiplies the force of other laws by a factor
+  yields,                   ///< is in series with the sum of all laws that add force
+  shifts_with_temperature,  ///< scales rates and force of other laws with temperature
 };
 
 /// Base of all laws: an immutable object whose memory is a block of doubles that the caller owns.
 ///
-/// Since memory and law are separate, a trial step is a step on a copy, a state is saved by copying numbers, and one
-/// object serves any number of simulations at once. No method allocates.
+/// Since memory and law are separate, a trial step is a step on a copy of the memory, a copy of the memory saves the
+/// state, and one object serves any number of simulations at once. No method allocates.
 class Element {
  public:
   virtual ~Element() = default;
@@ -48,14 +49,14 @@ class Element {
   /// Returns the number of doubles of memory.
   virtual std::size_t memorySize() const { return 0; }
 
-  /// Returns true if the law can continue from finite numbers of unknown origin, which requires that indices and counts
-  /// among them are valid.
+  /// Returns true if the law can continue from a memory of finite numbers whose origin is unknown. A law with indices
+  /// or counts in its memory has to check them.
   virtual bool acceptsMemory(const double* /*memory*/) const { return true; }
 
   virtual Action action() const = 0;
 
-  /// Returns true for parts of the rig (fixture mass, load cell). They follow the displacement of the actuator, and
-  /// their force is added after the effects on the force of the test piece.
+  /// Returns true for parts of the rig (fixture mass, load cell). Such parts follow the displacement of the actuator,
+  /// and their force is added after the effects on the force of the test piece.
   virtual bool onRig() const { return false; }
 
   /// Returns true for effects of the measuring chain on a signal (delay, gain, offset, drift), which are never part of
@@ -71,11 +72,11 @@ class Element {
   virtual bool passive() const { return true; }
 };
 
-/// A law whose force adds to that of the others: spring, dashpot, Maxwell element, friction, ...
+/// A law that adds its force to the forces of other laws: spring, dashpot, Maxwell element, friction, ...
 class ParallelElement : public Element {
  public:
   /// Initialises the memory for a component at rest and fully relaxed at this displacement [m]; returns the force [N].
-  /// The default sets zeros and returns 0.
+  /// The default sets the memory to zeros and returns 0.
   virtual double initialise(double /*displacement*/, double* memory) const {
     std::fill_n(memory, memorySize(), 0.0);
     return 0.0;
@@ -90,10 +91,11 @@ class ParallelElement : public Element {
 
   virtual Part part() const = 0;
 
-  /// Adds a basic law to a sum, which a component steps at once. Returns false, without effect, for other laws.
+  /// Adds the parameters of a basic law to a sum of basic laws, which a component steps together. Any other law returns
+  /// false and changes nothing.
   virtual bool addTo(BasicLaws& /*sum*/) const { return false; }
 
-  /// Returns K*(omega) [N/m] of a linear law at an angular frequency [rad/s], nullopt for a nonlinear law.
+  /// Returns K*(omega) [N/m] of a linear law at an angular frequency [rad/s], or nullopt for a nonlinear law.
   virtual std::optional<std::complex<double>> complexStiffness(double /*omega*/) const { return std::nullopt; }
 
   Action action() const final { return Action::adds_force; }
@@ -109,10 +111,11 @@ class DisplacementEffect : public Element {
   /// Advances over one step and returns the displacement behind the effect at its end [m].
   virtual double step(const Motion& motion, double* memory) const = 0;
 
-  /// Returns true for effects of a sensor (delay), which precede all others between actuator and test piece.
+  /// Returns true for effects of a sensor (delay), which a component applies before all other effects on the
+  /// displacement.
   virtual bool ofSensor() const { return false; }
 
-  /// Returns the factor on a sinusoidal displacement at omega [rad/s] for a linear law, nullopt for a nonlinear law.
+  /// Returns the factor of a linear law on a sinusoidal displacement at omega [rad/s], or nullopt for a nonlinear law.
   virtual std::optional<std::complex<double>> transfer(double /*omega*/) const { return std::nullopt; }
 
   Action action() const final { return Action::displaces; }
@@ -122,8 +125,8 @@ class DisplacementEffect : public Element {
 /// A law that scales the force of the test piece by a factor, which may depend on the history: stress softening.
 class ForceEffect : public Element {
  public:
-  /// Initialises the memory for a new test piece at rest at this displacement [m]. The factor there is 1, or
-  /// constantFactor().
+  /// Initialises the memory for a new test piece at rest at this displacement [m]. The factor at this displacement is
+  /// constantFactor(), or 1 if the factor varies.
   virtual void initialise(double displacement, double* memory) const = 0;
 
   /// Sets the memory to its state after a long rest at this displacement [m], which does not undo permanent changes;
@@ -133,10 +136,10 @@ class ForceEffect : public Element {
     return 1.0;
   }
 
-  /// Advances over one step and returns the factor on the force of the test piece, which is `force` without it.
+  /// Advances over one step and returns the factor on the force of the test piece. `force` does not include the factor.
   virtual double step(const Motion& motion, const ComponentForce& force, double* memory) const = 0;
 
-  /// Returns the factor if it is constant, else nullopt.
+  /// Returns the factor if it is constant, otherwise nullopt.
   virtual std::optional<double> constantFactor() const { return std::nullopt; }
 
   Action action() const final { return Action::scales_force; }
@@ -153,10 +156,11 @@ class SeriesElement : public Element {
     double preload = 0.0;  ///< magnitude of the force while a contact is open [N]
   };
 
-  /// Returns the deflection [m] under a force [N]. It has the sign of the force and never decreases with it.
+  /// Returns the deflection [m] under a force [N]. The deflection has the sign of the force and never decreases while
+  /// the force increases.
   virtual double deflection(double force) const = 0;
 
-  /// Returns the compliance if the law is linear for each sign of the force, else nullopt.
+  /// Returns the compliance if the law is linear for each sign of the force, otherwise nullopt.
   virtual std::optional<Compliance> compliance() const = 0;
 
   Action action() const final { return Action::yields; }

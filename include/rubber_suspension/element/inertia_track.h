@@ -11,22 +11,23 @@ namespace rubber_suspension::element {
 /// with the inertance I of the track, its resistances R to laminar flow and R_2 due to ends, bends and turbulence, and
 /// the compliance C of the upper chamber. The lower chamber has no stiffness.
 ///   K* = k_h (m s^2 + c s)/(m s^2 + c s + k_h), s = i omega, for c_2 = 0
-/// The force is 0 at rest, its loss peaks near sqrt(k_h/m), and its stiffness is k_h above. The rubber of the mount
-/// needs elements of its own. With a decoupler of free travel +-d the force is k_h D(z - q), where D is a dead zone of
-/// +-d: small motions of high frequency do not move the column.
+/// The force is 0 at rest. Its loss peaks near the angular frequency sqrt(k_h/m), and its stiffness tends to k_h above
+/// that frequency. The rubber of the mount needs elements of its own. With a decoupler of free travel +-d the force is
+/// k_h D(z - q), where D is a dead zone of +-d: small motions of high frequency do not move the column.
 ///
 /// The step is exact for a displacement that is linear between samples, at any step length. With a decoupler, a step is
-/// split into at most 4096 parts of less than half a period of sqrt(k_h/m), and each part at the edges of the dead
-/// zone; in longer steps an edge may be missed. Memory: deflection z - q and rate dq/dt.
+/// split into at most 4096 parts that are shorter than half a period of sqrt(k_h/m), and each part is split at the
+/// edges of the dead zone. If 4096 parts do not suffice, an edge may be missed. Memory: deflection z - q and rate
+/// dq/dt.
 ///
-/// With c_2 > 0 each part is a Strang splitting: half of the quadratic loss, solved exactly, the step above, the other
-/// half. It is dissipative and of second order. A part is at most a quarter of a radian of sqrt(k_h/m) or of the time
-/// m/(c_2 |dq/dt|); the error is 0.2 % of the largest force where c_2 |dq/dt| is 1.5 c, and a quarter of that for half
-/// the step. With R_2 > 0, A_p does more than scale the force, but it is never fitted. Validity: no cavitation. Source:
-/// R. Singh, G. Kim and P. V. Ravindra, J. Sound and Vibration 158 (1992) 219-243, also for the dead zone of the
-/// decoupler and the quadratic resistance; G. Strang, SIAM J. Numer. Anal. 5 (1968) 506-517. The make() of its type
-/// throws std::invalid_argument unless either the mechanical or the fluid parameters are complete and the others
-/// absent.
+/// With c_2 > 0 each part is a Strang splitting: half of the quadratic loss, the step without it, the other half. Each
+/// of the three is solved exactly; their sequence is dissipative and of second order. A part dt is so short that dt
+/// (sqrt(k_h/m) + c_2 |dq/dt|/m) is at most 1/4, unless the step exceeds 4 radians. The error is 0.2 % of the largest
+/// force where c_2 |dq/dt| is 1.5 c, and a quarter of this for half the step. With R_2 > 0, A_p does not merely scale
+/// the force, but fits never vary A_p. Validity: no cavitation. Source: R. Singh, G. Kim and P. V. Ravindra, J. Sound
+/// and Vibration 158 (1992) 219-243, also for the dead zone of the decoupler and the quadratic resistance; G. Strang,
+/// SIAM J. Numer. Anal. 5 (1968) 506-517. The make() of its type throws std::invalid_argument unless either the
+/// mechanical or the fluid parameters are complete and the others absent.
 class InertiaTrack final : public ParallelElement {
  public:
   InertiaTrack(double mass /* m [kg] */, double damping /* c [N s/m] */, double stiffness /* k_h [N/m] */,

@@ -7,10 +7,10 @@ namespace rubber_suspension::element {
 
 /// Returns sliders whose backbone meets a hyperbola like Berg's, F = c z/(z2' + z), at each yield displacement. F is
 /// F_max/2 at z2 and F_max at the greatest yield displacement. The yield displacements are in geometric progression
-/// through z2 up to 50 z2; with n sliders their ratio is 50^(1/(n - n/2)), where n/2 is rounded down. Below the
-/// smallest one the element is a spring without loss. With equal F_max and z2 its settled peak force is higher than
-/// that of Berg's element (for amplitude 2, F_max 5, z2 2.2: 2.37 against 1.99), so parameters of one element do not
-/// suit the other.
+/// through z2 up to 50 z2; with n sliders their ratio is 50^(1/(n - n/2)), where n/2 is rounded down. At amplitudes
+/// below the smallest yield displacement the element is a spring without loss. With equal F_max and z2 the settled peak
+/// force of Iwan's element exceeds that of Berg's (2.37 instead of 1.99 for amplitude 2, F_max 5 and z2 2.2), so
+/// parameters fitted for one element do not suit the other.
 std::vector<JenkinsSlider> iwanSliders(double maximum_force /* F_max [N] */, double displacement /* z2 [m] */,
                                        int count /* n, at least 2 */);
 

@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::element {
 
-/// An interval of admissible values; an open end excludes the bound itself.
+/// An interval of admissible values; an open end excludes its bound.
 struct Range {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
@@ -34,10 +34,10 @@ std::string describe(const Range& range);
 
 /// The effect of a parameter on the force, which determines whether it is fitted.
 enum class Role {
-  scale,      ///< the force is linear in it for constant others: fitted by linear least squares
-  shape,      ///< acts on the force in any other way: fitted
+  scale,      ///< the force is linear in the parameter while the others are constant: fitted by linear least squares
+  shape,      ///< the force depends on the parameter in another way: fitted
   choice,     ///< a count, a switch, a dead band, the span or the points over which a law is realised: never fitted
-  reference,  ///< the point to which another value refers; redundant with that value in a fit: never fitted
+  reference,  ///< the point to which another value refers; a fit varies that other value instead
 };
 
 /// Returns the word for the reference page.
@@ -54,22 +54,22 @@ struct ParameterInfo {
   bool is_list = false;                                ///< a list of numbers in place of one
 };
 
-/// Returns the row of that name, or nullptr.
+/// Returns the row of that name, or nullptr if there is none.
 const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std::string_view name);
 
-/// Returns true if `estimate --from-log` and `diagnose` fit a parameter with these values: scales and shapes, except 0
-/// and values at an end of the range, for which the law lacks that part (play that absorbs all of the motion, a linear
-/// stop), and lists of several numbers, which are curves measured point by point.
+/// Returns true if `estimate --from-log` and `diagnose` fit a parameter that has these values: it is a scale or a shape
+/// and has one value, which is neither 0 nor an end of the range. At such a value the parameter has no effect or a
+/// special one (a stop is linear). Lists of several numbers are curves that were measured point by point.
 bool isFree(const ParameterInfo& parameter, const std::vector<double>& values);
 
-/// Values by parameter name; a scalar is a list of one.
+/// Values by parameter name; a scalar is a list of one value.
 using ParameterValues = std::map<std::string, std::vector<double>>;
 
 /// An entry of `elements:` or `add:`: the name of a law and the values of its parameters [SI].
 struct ElementDescription {
   std::string type;
   ParameterValues values;
-  bool of_rig = false;  ///< marked in the component file as part of the rig, not of the rubber
+  bool of_rig = false;  ///< the component file marks it as part of the rig
 
   /// Returns the scalar parameter of that name. Throws std::out_of_range if it is missing.
   double value(const std::string& name) const { return list(name).at(0); }
@@ -86,7 +86,8 @@ struct ElementDescription {
   bool operator!=(const ElementDescription& other) const { return !(*this == other); }
 };
 
-/// Throws std::invalid_argument in the form of all errors about a value: law, parameter, value, what is accepted.
+/// Throws std::invalid_argument with the message that all errors about a value have: law, parameter, value, accepted
+/// values.
 [[noreturn]] void refuseValue(const std::string& type, const std::string& parameter, double value,
                               const std::string& unit, const std::string& accepted);
 

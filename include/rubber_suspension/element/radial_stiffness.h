@@ -1,4 +1,4 @@
-// Spring of two directions across an axis that stiffens with their radius.
+// Spring of two directions across an axis, whose stiffness grows with the distance from the axis.
 #pragma once
 
 #include <cmath>
@@ -10,11 +10,11 @@
 namespace rubber_suspension::element {
 
 /// Simulates F = x (h(r) - (1 - a) h(|x|)), h(r) = k2 r + k3 r^2 + k5 r^4, r = sqrt(x^2 + y^2), which is added to the
-/// linear laws of a direction x beside another direction y. No loss. If both directions have the same law, the force
-/// has the potential U = W(r) - (1 - a)(W(|x|) + W(|y|)), W' = r h, which is never negative, so that it does no work
-/// over closed loops. With a = 1 the force is along the radius. With a = 0 it vanishes for motion along x or y alone;
-/// it is then the difference between a bush that stiffens along the radius and the separate laws of both directions. A
-/// component of one direction has y = 0. Validity: the radii for which the coefficients were fitted.
+/// linear laws of a direction x and depends on another direction y. No loss. If both directions have the same law, the
+/// force does no work over closed loops, since it has the potential U = W(r) - (1 - a)(W(|x|) + W(|y|)) >= 0, W' = r h.
+/// With a = 1 the force is along the radius. With a = 0 the force vanishes for motion along x or y alone: it is what a
+/// bush that stiffens along the radius has beyond separate laws of x and y. A component of one direction has y = 0.
+/// Validity: the radii for which the coefficients were fitted.
 /// Source: a radial law F = G(r) (x, y)/r, as in the cylindrical coupling of multibody programs, with G as a power
 /// series as in progressive_stiffness. The make() of its type throws std::invalid_argument.
 class RadialStiffness final : public ParallelElement {
@@ -23,7 +23,7 @@ class RadialStiffness final : public ParallelElement {
                   double alone /* a [-] */)
       : quadratic_(quadratic), cubic_(cubic), quintic_(quintic), alone_(alone) {}
 
-  /// Returns r h(r) [N] at a radius [m], and its potential W [J].
+  /// alongRadius() returns r h(r) [N] at a radius [m], energy() its potential W [J].
   double alongRadius(double r) const { return r * secant(r); }
   double energy(double r) const { return r * r * r * (quadratic_ / 3.0 + r * (cubic_ / 4.0 + r * r * quintic_ / 6.0)); }
 
@@ -47,10 +47,11 @@ class RadialStiffness final : public ParallelElement {
   double alone_;
 };
 
-/// Returns the radial stiffnesses among elements. Throws std::invalid_argument as their make() does.
+/// Returns those of the elements that are radial stiffnesses. Throws std::invalid_argument as their make() does.
 std::vector<RadialStiffness> radialLaws(const std::vector<ElementDescription>& elements);
 
-/// Adds the change that the displacements `across` cause to the force [N] at each sample of a component with `laws`.
+/// Adds to the force [N] at each sample the change that displacements `across` [m] cause in a component with these
+/// laws.
 void addAcross(const std::vector<RadialStiffness>& laws, const double* displacement, const double* across,
                std::size_t count, double* force);
 

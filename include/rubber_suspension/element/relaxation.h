@@ -1,4 +1,4 @@
-// Relaxation over one step: exp(-x) and its mean over the step, by a short polynomial where steps are small.
+// Relaxation over one step: exp(-x) and its mean over the step, which a short polynomial gives for small steps.
 #pragma once
 
 #include <cmath>
@@ -13,10 +13,10 @@ struct Relaxation {
   double decay;  ///< exp(-x) [-]
   double mean;   ///< (1 - exp(-x))/x [-], tends to 1 as x tends to 0
 
-  /// Largest step for small(); at 1 kHz that of a break frequency of 55 Hz.
+  /// Largest x for small(), which an element with a break frequency of 55 Hz reaches at 1 kHz.
   static constexpr double kSmall = 0.35;
 
-  /// Returns the relaxation over any step.
+  /// Returns the relaxation over a step of any length.
   static Relaxation over(double x) { return x <= kSmall ? small(x) : large(x); }
 
   /// Returns the relaxation over a step up to kSmall.

@@ -10,13 +10,14 @@
 namespace rubber_suspension::element {
 
 /// Evaluates the functions whose weighted sum is a residual force. They consist of causal operators, whose only input
-/// is the share of the stroke q = clamp(z, lowest, highest)/S:
+/// is the displacement in strokes, q = clamp(z, lowest, highest)/S:
 ///   - stops s_i: ds = dq, clamped to +-r_i, as in sliders (Prandtl, Ishlinskii);
 ///   - relaxing shares m_j: dm/dt = dq/dt - m/tau_j, as in Maxwell elements;
 ///   - the amplitude a: da/dt = (|q| - a)/tau_a, a leaky integrator;
 ///   - resonators: d(x, v) = (dq - omega v dt, omega (x - 2 D v) dt), oscillators of one degree of freedom.
 /// The stops, the relaxing shares and q are each multiplied by 1, q, q^2 and a, which gives odd and even functions of
-/// the motion and functions that change with its amplitude. Hat functions over the range add a characteristic.
+/// the motion and functions that change with its amplitude. Hat functions of the displacement add a static
+/// characteristic.
 class ResidualBasis {
  public:
   static constexpr std::size_t kStops = 6;
@@ -43,7 +44,7 @@ class ResidualBasis {
 
   const Layout& layout() const { return layout_; }
 
-  /// Layout of the memory. Coefficients for a step length are stored until it changes.
+  /// Layout of the memory. The coefficients of a step are kept until the step length changes.
   enum Slot : std::size_t {
     kStop,
     kRelaxed = kStop + kStops,
@@ -62,17 +63,19 @@ class ResidualBasis {
   /// Initialises the memory for a component at rest and fully relaxed at this displacement [m].
   void initialise(double displacement, double* memory) const;
 
-  /// Advances the memory over one step with an error of second order (first for the amplitude); any step is stable.
+  /// Advances the memory over one step. The error is of second order (for the amplitude of first order); steps of any
+  /// length are stable.
   void advance(const Motion& motion, double* memory) const;
 
-  /// Returns the number of functions: products, points of the characteristic, two for each resonator.
+  /// Returns the number of functions: the products, the points of the characteristic, and two for each resonator.
   Eigen::Index size() const;
 
-  /// Computes the values [-] of the functions in that order: products state by state, x and v of each resonator. All
-  /// are 0 for a component at rest at zero displacement.
+  /// Computes the values [-] of the functions: the products state by state, the points of the characteristic, x and v
+  /// of each resonator. All values are 0 for a component at rest at zero displacement.
   void evaluate(const double* memory, Eigen::Ref<Eigen::VectorXd> values) const;
 
-  /// A position on the characteristic: the point below it, and its share of the distance to the next point [0, 1].
+  /// A position on the characteristic: the point below the position, and the share [0, 1] of the distance to the next
+  /// point.
   struct Place {
     Eigen::Index point;
     double share;
@@ -86,21 +89,23 @@ class ResidualBasis {
 
   Layout layout_;
   double per_stroke_;          // 1/S [1/m]
-  double lowest_share_ = 0.0;  // of the stroke
-  double spacing_ = 0.0;       // points of the characteristic per share of the stroke
+  double lowest_share_ = 0.0;  // lowest displacement/S [-]
+  double spacing_ = 0.0;       // points of the characteristic per stroke
   double last_point_ = 0.0;
   Eigen::Array<double, kStops, 1> stops_;
   Eigen::Array<double, kRelaxing, 1> rates_;         // of the relaxing shares [1/s]
   Eigen::Array<double, kResonators, 1> half_omega_;  // [1/s]
 };
 
-/// Simulates F = sum of w_n phi_n(z, ...) over the functions of a ResidualBasis, clamped to the range of its forces on
-/// the logs to which it was fitted. So the force is bounded for any motion, and displacements beyond those of the logs
-/// act like the nearest of these. It is a surrogate without a cause; its weights are fitted by linear least squares.
+/// Simulates F = sum of w_n phi_n(z, ...) over the functions of a ResidualBasis, clamped to the range that this sum has
+/// on the logs to which it was fitted. So the force is bounded for any motion, and a displacement outside the range of
+/// the logs acts like the end of that range. The law is a surrogate without a cause. Its weights are fitted by linear
+/// least squares.
 ///
-/// It acts in parallel with the component, on the displacement of the actuator, as parts of the rig do: effects on the
-/// displacement and force of the test piece do not change it. So it adds measured minus simulated force.
-/// It is not passive, because it may also reduce another force.
+/// The force acts in parallel with the component, on the displacement of the actuator, as parts of the rig do. Effects
+/// on the displacement and force of the test piece do not change it, so it can stand for measured minus simulated
+/// force.
+/// The law is not passive, because its force may reduce another force.
 /// Validity: motions like those of the logs, in displacement, frequency and amplitude (docs/surrogate.md).
 /// Source: stop operators, M. A. Krasnosel'skii and A. V. Pokrovskii, Systems with Hysteresis, Springer 1989; sums of
 /// fading memories that are linear in their weights, S. Boyd and L. O. Chua, IEEE Trans. Circuits and Systems 32 (1985)
@@ -111,7 +116,7 @@ class Residual final : public ParallelElement {
   struct Weights {
     std::vector<double> products;        ///< kStates x kFactors
     std::vector<double> characteristic;  ///< one per point
-    std::vector<double> resonators;      ///< two per resonator; none without resonators
+    std::vector<double> resonators;      ///< two per resonator; empty without resonators
     double lowest_force = 0.0;           ///< at most 0
     double highest_force = 0.0;          ///< at least 0
   };
@@ -132,9 +137,10 @@ class Residual final : public ParallelElement {
   using Resonators = Eigen::Array<double, ResidualBasis::kResonators, 1>;
 
   ResidualBasis basis_;
-  Eigen::Array<double, ResidualBasis::kStates - 1, ResidualBasis::kFactors> products_;  // of stops and relaxing shares
-  std::array<double, ResidualBasis::kFactors> of_share_{};                              // of q
-  std::vector<double> characteristic_;                                                  // 0 at zero displacement
+  Eigen::Array<double, ResidualBasis::kStates - 1, ResidualBasis::kFactors>
+      products_;                                            // weights for stops and relaxing shares
+  std::array<double, ResidualBasis::kFactors> of_share_{};  // weights for q
+  std::vector<double> characteristic_;                      // 0 at zero displacement
   Resonators position_ = Resonators::Zero();
   Resonators velocity_ = Resonators::Zero();
   double lowest_force_;

@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::element {
 
-/// A spring k in series with a slider that moves when the spring would exceed the displacement y.
+/// A spring k in series with a slider, which moves as soon as the spring is deflected by y.
 struct JenkinsSlider {
   double yield_displacement;  ///< y [m]
   double stiffness;           ///< k [N/m]
@@ -28,9 +28,10 @@ struct JenkinsSlider {
 };
 
 /// Simulates Jenkins sliders in parallel. The force is rate-independent and obeys Masing's rules: minor loops close,
-/// and the settled loop is the backbone (the curve from rest) doubled in both axes. Noise below the smallest yield
-/// displacement needs no dead band. Memory: the position of each slider. Source: W. D. Iwan, J. Appl. Mech. 33 (1966)
-/// 893-900; G. Masing, Proc. 2nd Int. Congr. Appl. Mech. (1926). Throws nothing: makeElement() checks the values.
+/// and the settled loop is the backbone (the curve from rest) doubled in both axes. No dead band is needed for noise
+/// below the smallest yield displacement. Memory: the position of each slider. Source: W. D. Iwan, J. Appl. Mech. 33
+/// (1966) 893-900; G. Masing, Proc. 2nd Int. Congr. Appl. Mech. (1926). Throws nothing: makeElement() checks the
+/// values.
 class SliderBank : public ParallelElement {
  public:
   explicit SliderBank(std::vector<JenkinsSlider> sliders) : sliders_(std::move(sliders)) {}

@@ -1,4 +1,4 @@
-// Interface of the laws by which temperature shifts time and force of a test piece. Throws nothing.
+// Interface of the laws by which temperature scales the rates and the force of a test piece. Throws nothing.
 #pragma once
 
 #include "rubber_suspension/element/element.h"
@@ -14,12 +14,13 @@ struct Shift {
   double force = 1.0;  ///< b_T, on the force of the test piece
 };
 
-/// Base of the laws of temperature. The factors of several such laws multiply.
+/// Base of the laws of temperature. The factors of several such laws are multiplied.
 ///
 /// All rates in the elements of the test piece (relaxation, dashpots, build-up of structure) refer to the reduced time,
-/// the integral of dt/a_T, and the force of these elements is multiplied by b_T. In units of a_T and b_T a law is the
-/// same at any temperature (thermorheologically simple), so no state changes with the temperature. Rig, delay, series
-/// compliance, self-heating and the recovery of stress softening refer to the real time.
+/// the integral of dt/a_T, and the force of these elements is multiplied by b_T. In terms of reduced time and reduced
+/// force each element is the same at any temperature (thermorheologically simple), so a change of the temperature alone
+/// changes no state. The rig, delay, series compliance, self-heating and the recovery of stress softening refer to the
+/// real time.
 /// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11; L. W. Morland, E. H. Lee,
 /// Trans. Soc. Rheol. 4 (1960) 233-263 (temperature that changes).
 class TemperatureShift : public Element {
@@ -31,7 +32,7 @@ class TemperatureShift : public Element {
   virtual Range temperatures() const = 0;
 
   Action action() const final { return Action::shifts_with_temperature; }
-  /// True at constant temperature.
+  /// The law is linear at constant temperature.
   bool linear() const final { return true; }
   /// A component whose temperature changes between loading and unloading may return more energy than it received.
   bool passive() const final { return false; }
@@ -43,10 +44,10 @@ constexpr double kMostDecades = 20.0;
 /// Returns the intersection of two ranges.
 Range intersection(const Range& a, const Range& b);
 
-/// Returns the row of a coefficient beta of b_T = 1 + beta (T - T_0).
+/// Returns the row of the parameter beta in b_T = 1 + beta (T - T_0).
 ParameterInfo verticalParameter(const std::string& name, const std::optional<double>& default_value);
 
-/// Returns the row of the reference temperature T_0.
+/// Returns the row of the parameter T_0, the reference temperature.
 ParameterInfo referenceParameter();
 
 }  // namespace rubber_suspension::element
