@@ -1,4 +1,5 @@
-// Diagnoses of logs of a test piece with friction that its description lacks: six logs, and one of any length.
+// Benchmarks of the diagnosis: of six logs, and of one log of any length. The test piece has friction, which its
+// description lacks.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -21,19 +22,19 @@ io::ComponentDescription describedComponent() {
           {{"spring", {{"stiffness", {3.0e6}}}}, {"maxwell", {{"stiffness", {1.3e6}}, {"break_frequency", {1.43}}}}}};
 }
 
-// The test piece also has friction. It has memory, as in rubber: minor loops close.
+// Returns the described component with additional friction, whose minor loops close as in rubber.
 component::Component testPiece() {
   std::vector<element::ElementDescription> elements = describedComponent().elements();
   elements.push_back({"iwan", {{"maximum_force", {3000.0}}, {"displacement", {5e-4}}}});
   return component::Component(elements);
 }
 
-// The test piece with noise on the force, which is the same with every compiler.
+// Measures the test piece with noise on the force, which is the same with every compiler.
 class MeasuringRig {
  public:
   explicit MeasuringRig(unsigned seed) : random_(seed) {}
 
-  // Appends the next sample, at a displacement [m].
+  // Appends the next sample of a log, at a displacement [m].
   void measure(double displacement, log::Log& log) {
     log.stamp.push_back(1000000 * next_++);
     log.displacement.push_back(displacement);
@@ -61,7 +62,7 @@ std::vector<log::Log> sixLogs(double duration) {
   return logs;
 }
 
-// The motion of the benchmark, repeated with an amplitude that changes over minutes.
+// A log whose motion is that of the benchmark, repeated with an amplitude that changes over minutes.
 class LongLog : public log::LogSource {
  public:
   explicit LongLog(std::size_t samples) : samples_(samples) {}

@@ -27,7 +27,7 @@ std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples) {
   std::mt19937_64 random(1);
   std::vector<std::int64_t> stamps(samples);
   for (std::size_t i = 1; i < samples; ++i) {
-    // Odd and even jitter alternate, so that no step equals the one before it.
+    // The jitter is alternately odd and even, so that no step has the same length as the step before it.
     const auto jitter = static_cast<std::int64_t>(random() % 300000) * 2 + static_cast<std::int64_t>(i % 2);
     stamps[i] = stamps[i - 1] + (kind == Stamps::even ? 1000000 : 700000 + jitter);
   }

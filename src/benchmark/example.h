@@ -13,14 +13,16 @@ namespace rubber_suspension::benchmark {
 
 constexpr double kStep = 1e-3;  ///< sampling interval [s]
 
-/// Returns the sum of three sines of 1.3, 4 and 17 Hz, 2 mm in total [m]; friction reverses some 20 times a second.
+/// Returns displacements [m] that are the sum of three sines of 1.3, 4 and 17 Hz with 2 mm in total, so that friction
+/// reverses about 20 times per second.
 std::vector<double> benchmarkDisplacement(std::size_t samples);
 
-/// Stamps [ns] every millisecond, or with steps between 0.7 and 1.3 ms of which no two in a row are equal (fixed seed).
+/// Kinds of stamps: every millisecond, or at random steps of 0.7 to 1.3 ms (with a fixed seed), of which consecutive
+/// ones always differ.
 enum class Stamps { even, uneven };
 std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples);
 
-/// Parameters of a component: spring, Maxwell elements evenly spaced over the log of frequency, friction.
+/// Parameters of a component: spring, friction, and Maxwell elements whose break frequencies form a geometric series.
 struct ExampleParameters {
   double spring = 3.0e6;                  ///< [N/m]
   std::vector<double> stiffness;          ///< of the Maxwell elements [N/m]
@@ -28,21 +30,21 @@ struct ExampleParameters {
   double maximum_force = 5000.0;          ///< F_max [N]
   double friction_displacement = 2.2e-3;  ///< z2 [m]
 
-  /// Creates this number of Maxwell elements, 1.9 MN/m together, with break frequencies from 0.03 to 25 Hz.
+  /// Creates this number of Maxwell elements, with 1.9 MN/m together and break frequencies between 0.03 and 25 Hz.
   explicit ExampleParameters(int maxwell_elements = 5);
 
-  /// Returns the parameters with stiffnesses and friction force times these factors.
+  /// Returns these parameters with all stiffnesses multiplied by one factor and the friction force by another.
   ExampleParameters scaled(double by_stiffness, double by_force) const;
 
-  /// Returns the numbers as entries of a component file.
+  /// Returns the parameters as entries of a component file.
   std::vector<element::ElementDescription> elements() const;
 };
 
-/// Simulates the motion by each of the library's calls; each of them sets `force` [N].
+/// Simulates the motion. Each method uses another call of the library and sets `force` [N].
 struct ExampleRun {
   component::Component component;
   log::Log log;
-  std::vector<double> steps;  ///< step that ends at each sample [s]; the first is 0
+  std::vector<double> steps;  ///< length of the step that ends at each sample [s], 0 at the first sample
   std::vector<double> force;
 
   ExampleRun(const ExampleParameters& parameters, Stamps kind, std::size_t samples);
@@ -53,7 +55,8 @@ struct ExampleRun {
   void simulateWholeLog();
 };
 
-/// Returns laws of six directions with these elements; friction is `iwan` where directions act together.
+/// Returns laws of six directions with the elements of ExampleParameters. If the directions are coupled, their friction
+/// is `iwan`.
 component::SixDirectionsLaws exampleBush(component::Coupling coupling);
 
 }  // namespace rubber_suspension::benchmark

@@ -1,4 +1,4 @@
-// Forces by each of the library's calls, and an estimation.
+// Benchmarks of the calls that compute forces, and of an estimation.
 #include "benchmark/own_work.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,8 @@ void addComponent(std::vector<Work>& all, std::size_t samples) {
   add("a log offline, `simulateLog`", even, &ExampleRun::simulateWholeLog);
 }
 
-// Steps components, or bushes of six directions, together along one path of displacements or poses.
+// Returns the work of stepping several components, or bushes of six directions, together along one path of
+// displacements or poses.
 template <class Component, class Position>
 Work ticksOf(const std::string& name, const std::string& unit, const std::vector<Component>& components,
              const std::vector<Position>& path) {
@@ -62,7 +63,7 @@ void addTicks(std::vector<Work>& all, std::size_t samples) {
       ticksOf("`SixDirections::step`, rectangular", "step of six", std::vector<component::SixDirections>{bush}, poses));
 }
 
-// The example of O. Polach, "Modelling of rubber components using estimated parameters" (IAVSD 2015).
+// Estimates the example of O. Polach, "Modelling of rubber components using estimated parameters" (IAVSD 2015).
 Work estimation() {
   constexpr int kRuns = 100;  // so that one run is long compared to the resolution of the clock
   estimation::Specification specification;

@@ -11,24 +11,25 @@ namespace rubber_suspension::benchmark {
 
 struct Work {
   std::string name;
-  std::string unit;    ///< name of a unit of work: step, sample, ...
-  double count = 1.0;  ///< units of work in one run
+  std::string unit;    ///< what is counted: step, sample, ...
+  double count = 1.0;  ///< number of these units in one run
   std::function<void()> run;
   Clock clock = Clock::thread;
 };
 
-/// Returns simulations of one component over `samples`, of 1000 and of one of six directions, and an estimation.
+/// Returns simulations over `samples` of one component, of 1000 components and of one of six directions, and an
+/// estimation.
 std::vector<Work> forces(std::size_t samples);
 
-/// Returns the diagnosis of six logs of this duration [s], in one thread and in two, timed by the wall clock.
+/// Returns two diagnoses of six logs of this duration [s], in one thread and in two threads, timed by the wall clock.
 std::vector<Work> diagnoses(double duration);
 
 /// Diagnoses a log of this duration [s] at 1 kHz with two threads. The log is generated while it is read, for a test
-/// piece with friction that its description lacks. Returns JSON: samples, seconds of the wall clock, the largest
-/// resident memory of the process [bytes], and the verdict.
+/// piece with friction that its description lacks. Returns JSON with the number of samples, the seconds of the wall
+/// clock, the largest resident memory of the process [bytes] and the verdict.
 std::string diagnoseLongLog(double duration);
 
-/// Returns one row of the table: median and quartiles over `runs` runs, after one that is not measured.
+/// Returns one row of the table: median and quartiles of `runs` runs, which follow one run that is not measured.
 std::string row(const Work& work, int runs);
 
 }  // namespace rubber_suspension::benchmark

@@ -1,4 +1,4 @@
-// Times of repeated work: the clocks, and the median with its quartiles.
+// Times of repeated work: clocks, median and quartiles.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,13 @@
 
 namespace rubber_suspension::benchmark {
 
-/// CPU time of the calling thread, which excludes other programs on the machine, or the wall clock.
+/// Kinds of clock: the CPU time of the calling thread, which excludes other programs, or the wall clock.
 enum class Clock { thread, wall };
 
 /// Returns the time of a run by the clock [s].
 double secondsOf(const std::function<void()>& run, Clock clock);
 
-/// Returns median and quartiles of repeated measurements, linear between the ranks. The list must not be empty.
+/// Returns median and quartiles of repeated measurements, interpolated between the ranks. The list must not be empty.
 io::Spread spreadOf(std::vector<double> values);
 
 /// Returns a time [s] as text with three digits and a unit from ns to s.

@@ -1,4 +1,4 @@
-// Puts an FMU together.
+// Writes the files of an FMU into an archive.
 #include "fmi/export.h"
 
 #include <dlfcn.h>
@@ -22,7 +22,8 @@ namespace {
 constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
 constexpr const char kUnreadable[] = "{}: cannot be read; accepted: the file that was installed with this program";
 
-// 2 January 1980, because the bytes must not depend on the date, and zip has local time and no earlier year.
+// 2 January 1980. The date is fixed so that the bytes are the same every day; zip uses local time and no year before
+// 1980.
 constexpr time_t kTimeOfFiles = 315619200;
 
 void require(bool done, const std::string& name, const char* reason) {
@@ -36,7 +37,7 @@ std::string readFile(const std::string& path) {
   return content;
 }
 
-// In the form of a UUID, which some importers expect.
+// Returns a GUID that depends on the content, in the form of a UUID, which some importers expect.
 std::string guidOf(const std::string& content) {
   const std::uint64_t high = fingerprintOf(content);
   const std::uint64_t low = fingerprintOf(content + "+");
@@ -44,7 +45,7 @@ std::string guidOf(const std::string& content) {
                      low >> 48, low & 0xffffffffffff);
 }
 
-// Returns the binary with the component in its block.
+// Returns the binary at a path, with the text of the component written into its EmbeddedBlock.
 std::string binaryWith(const std::string& text, const std::string& path) {
   std::string binary = readFile(path);
   const std::string marker(RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_BLOCK_MARKER));
@@ -61,7 +62,8 @@ std::string binaryWith(const std::string& text, const std::string& path) {
   return binary;
 }
 
-// Only 65536 bytes are guaranteed in a string literal, so the text is split into pieces, which the compiler joins.
+// Returns a header with the text of the component as string literals. Compilers need to accept only 65536 bytes in one
+// literal, so the text is split into pieces, which the compiler joins.
 std::string componentHeader(const std::string& text) {
   constexpr std::size_t kPiece = 8192;
   std::string header = "#pragma once\n#define RUBBER_SUSPENSION_COMPONENT_TEXT";
@@ -71,7 +73,7 @@ std::string componentHeader(const std::string& text) {
   return header + "\n";
 }
 
-// Sorted, because the order of the files in a folder is arbitrary.
+// Adds the sources, sorted because the order of the files in a folder is arbitrary.
 void addSources(std::vector<ArchiveEntry>& entries, const ComponentData& data, const std::string& folder) {
   std::set<std::string> files;
   std::error_code error;
@@ -97,18 +99,18 @@ std::string toZip(const std::vector<ArchiveEntry>& entries) {
   std::unique_ptr<zip_t, void (*)(zip_t*)> archive(
       zip_open_from_source(whole.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), zip_discard);
   require(archive != nullptr, name, "cannot be created");
-  zip_source_keep(whole.get());  // because the archive releases it, too
+  zip_source_keep(whole.get());  // because zip_close() also releases it
   for (const ArchiveEntry& entry : entries) {
     zip_source_t* const content = zip_source_buffer(archive.get(), entry.content.data(), entry.content.size(), 0);
     const zip_int64_t index = zip_file_add(archive.get(), entry.path.c_str(), content, ZIP_FL_ENC_UTF_8);
-    if (index < 0) {  // otherwise the archive owns it
+    if (index < 0) {  // on success the archive owns the content
       zip_source_free(content);
     }
     require(index >= 0, entry.path, zip_strerror(archive.get()));
     zip_file_set_mtime(archive.get(), static_cast<zip_uint64_t>(index), kTimeOfFiles, 0);
   }
   require(zip_close(archive.get()) == 0, name, zip_strerror(archive.get()));
-  static_cast<void>(archive.release());  // closed
+  static_cast<void>(archive.release());  // zip_close() has freed it
   zip_stat_t status;
   require(zip_source_stat(whole.get(), &status) == 0 && zip_source_open(whole.get()) == 0, name,
           "cannot be opened again");
@@ -140,7 +142,7 @@ ComponentData dataOf(const io::ComponentDescription& description) {
   } else if (description.specification().curve() == nullptr) {
     data.model = description.model();
     data.specification = description.specification();
-  }  // otherwise the elements estimated from the curve, which is no variable of the FMU
+  }  // otherwise data.elements are those estimated from the curve, which cannot be a variable
   if (!description.six && data.model == estimation::Model::elements) {
     data.elements = completed(description.elements());
   }

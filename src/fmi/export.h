@@ -15,25 +15,26 @@ struct ArchiveEntry {
   std::string content;
 };
 
-/// Returns the bytes of a zip archive; the same for the same entries. Throws std::runtime_error.
+/// Returns the bytes of a zip archive, which depend on the entries only. Throws std::runtime_error.
 std::string toZip(const std::vector<ArchiveEntry>& entries);
 
 /// The files of an FMU that are the same for all components.
 struct FmuParts {
-  std::string binary;               ///< path of the shared library without a component, for Linux
-  std::string sources;              ///< path of the folder of its sources
+  std::string binary;               ///< path of the shared library for Linux, without a component
+  std::string sources;              ///< path of the folder with the sources of this library
   std::string windows_binary = {};  ///< path of the library for Windows; empty if it was not built
 };
 
-/// Returns the parts built with the calling program, which are beside it, with that for Windows if it exists.
+/// Returns the parts that were built with the calling program and are beside it. The library for Windows is included if
+/// it exists.
 FmuParts installedParts();
 
-/// Returns the description of a component for an FMU: complete elements, and a GUID that depends on the description and
-/// the version of the package.
+/// Returns the data of a component for an FMU, with complete elements. The GUID depends on the description of the
+/// component and the version of the package.
 ComponentData dataOf(const io::ComponentDescription& description);
 
-/// Returns the files in the FMU, the same for the same component. Throws std::runtime_error that names the file if a
-/// part is missing or is not one of this version, or if the component is too large for it.
+/// Returns the files in the FMU, which are the same for the same component. Throws std::runtime_error, which names the
+/// file, if a part is missing or belongs to another version, or if the component is too large for the binary.
 std::vector<ArchiveEntry> fmuFiles(const io::ComponentDescription& description, Version version, const FmuParts& parts);
 
 }  // namespace rubber_suspension::fmi

@@ -1,4 +1,4 @@
-// modelDescription.xml of FMI 2.0 and 3.0: the same content in two vocabularies.
+// modelDescription.xml of FMI 2.0 and 3.0, which have the same content with different names.
 #include "fmi/model_description.h"
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-// Names and values; entries without a name are omitted.
+// Names and values of XML attributes. Entries with an empty name are not written.
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 std::string number(double value) { return fmt::format("{}", value); }
 
 bool isOutput(const Variable& variable) { return variable.causality == Causality::output; }
 
-// True for variables that are calculated before the first step.
+// Returns true for variables that are calculated before the first step.
 bool isCalculated(const Variable& variable) {
   return isOutput(variable) || variable.causality == Causality::calculated_parameter;
 }
@@ -49,7 +49,7 @@ Attributes valueAttributes(const Variable& variable) {
           {variable.start ? "start" : "", number(variable.start.value_or(0.0))}};
 }
 
-// Symbols in terms of other units; empty for base units.
+// Units in terms of other units; empty for base units.
 const std::map<std::string, std::string> kSymbols = {
     {"kg", ""}, {"m", ""},     {"s", ""},         {"A", ""},       {"K", ""},    {"rad", ""},  {"mol", ""},
     {"1", "1"}, {"Hz", "1/s"}, {"N", "kg m/s^2"}, {"Pa", "N/m^2"}, {"J", "N m"}, {"W", "J/s"}, {"degC", "K"}};
@@ -74,7 +74,6 @@ class Description {
   std::string text() const { return printer_.CStr(); }
 
  private:
-  // Writes an element of XML with its content.
   void element(const char* name, const Attributes& attributes, const std::function<void()>& content = {}) {
     printer_.OpenElement(name);
     for (const auto& [key, value] : attributes) {
@@ -103,8 +102,8 @@ class Description {
     });
     element("DefaultExperiment", {{"startTime", "0"}, {"stepSize", "0.001"}});
     element("ModelVariables", {}, [this] { writeVariables(); });
-    // At a communication point the outputs are those of the last step and do not depend on the present input; only in
-    // the initialisation do they.
+    // At a communication point the outputs result from the last step. They depend on the present input only during the
+    // initialisation.
     element("ModelStructure", {}, [this] {
       writeUnknowns("Output", isOutput, "dependencies");
       writeUnknowns("InitialUnknown", isCalculated, "");
@@ -140,7 +139,7 @@ class Description {
     }
   }
 
-  // FMI 2.0 has a list of the unknowns and counts variables from 1; FMI 3.0 has their value references.
+  // FMI 2.0 needs a list of the unknowns with variables numbered from 1, FMI 3.0 their value references.
   void writeUnknowns(const std::string& kind, bool (*chosen)(const Variable&), const char* dependencies) {
     const auto write = [&] {
       for (Reference i = 0; i < variables_.size(); ++i) {
@@ -165,13 +164,13 @@ class Description {
 
 }  // namespace
 
-// A unit has symbols with exponents, multiplied by blanks and divided by slashes.
+// In a unit, a blank before a symbol multiplies by it, and a slash divides by it. A symbol may have an exponent.
 BaseUnit baseUnitOf(const std::string& unit) {
   BaseUnit sum;
   int sign = 1;
   for (std::size_t begin = 0; begin <= unit.size();) {
     const std::size_t end = std::min(unit.find_first_of(" /", begin), unit.size());
-    const std::string factor = unit.substr(begin, end - begin);  // "m^3": three times the exponents of the metre
+    const std::string factor = unit.substr(begin, end - begin);  // "m^3" has three times the exponents of "m"
     const std::size_t caret = factor.find('^');
     const auto symbol = kSymbols.find(factor.substr(0, caret));
     const std::string power = caret == std::string::npos ? "1" : factor.substr(caret + 1);

@@ -1,4 +1,5 @@
-// Components in Python: loaded, estimated or listed; stepped, and simulated over arrays.
+// Components in Python: functions that load, estimate or make them from elements, step them, and simulate them over
+// arrays.
 #include <fmt/format.h>
 #include <pybind11/complex.h>
 #include <pybind11/numpy.h>
@@ -19,7 +20,7 @@ namespace {
 
 using io::ComponentDescription;
 
-// A component in motion, with its history.
+// A component with its state.
 class Motion {
  public:
   Motion(std::shared_ptr<const component::Component> component, double displacement)
@@ -60,7 +61,8 @@ class Motion {
   element::ComponentForce force_{};
 };
 
-// Starts at rest at the first displacement and steps to each of the others.
+// Returns the forces of a component that starts at rest at the first displacement and steps to each of the following
+// ones.
 Array simulate(const ComponentDescription& description, const py::object& displacement, double dt) {
   Motion::requirePositive(dt);
   const std::vector<double> path = toVector(displacement, "displacement");
@@ -88,7 +90,7 @@ Array replay(const ComponentDescription& description, const log::Log& log) {
   return toArray(force);
 }
 
-// Returns a number for one frequency, or an array of the same shape for an array.
+// Returns the complex stiffness as a number for one frequency, or as an array of the same shape for an array.
 py::object stiffness(const ComponentDescription& description,
                      const py::array_t<double, py::array::forcecast>& frequency,
                      const std::optional<double>& temperature) {
@@ -141,7 +143,7 @@ double toShare(const py::handle& value) {
   return tolerance;
 }
 
-// Converts one tolerance for all numbers, or a dict by key.
+// Converts one tolerance for all numbers, or a dict with a tolerance for each key.
 estimation::SheetTolerance toTolerance(const py::handle& value) {
   if (!py::isinstance<py::dict>(value)) {
     return {toShare(value)};
@@ -170,7 +172,9 @@ ComponentDescription estimate(const std::string& model, const std::string& name,
     }
     const element::ParameterInfo* parameter = element::findParameter(estimation::specificationParameters(), input);
     specification.set(input,
-                      parameter == nullptr ? 0.0 : toNumber(value, *parameter));  // unknown keys are refused below
+                      parameter == nullptr
+                          ? 0.0
+                          : toNumber(value, *parameter));  // set() accepts any key; unknown ones are refused below
   }
   ComponentDescription description(name, *found, std::move(specification));
   io::toYaml({description});  // throws for a name that no file can contain
@@ -179,7 +183,7 @@ ComponentDescription estimate(const std::string& model, const std::string& name,
 
 ComponentDescription ofElements(const py::sequence& elements, const std::string& name) {
   ComponentDescription description(name, toElements(elements));
-  description.makeComponent();  // throws if the elements are not compatible
+  description.makeComponent();  // throws if the elements do not fit together
   io::toYaml({description});    // throws for a name that no file can contain
   return description;
 }

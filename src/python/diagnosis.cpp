@@ -1,4 +1,4 @@
-// The diagnosis in Python: one call, its result as plain values.
+// The diagnosis in Python: one call, which returns plain values.
 #include "rubber_suspension/diagnosis/diagnosis.h"
 
 #include <algorithm>

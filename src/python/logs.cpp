@@ -1,4 +1,4 @@
-// Logs in Python: read from files, or made of arrays.
+// Logs in Python: functions that read them from files or make them from arrays.
 #include <fmt/format.h>
 
 #include <cmath>

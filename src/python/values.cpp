@@ -1,4 +1,4 @@
-// Arrays, numbers with units and elements between Python and C++.
+// Conversion of arrays, numbers with units and elements between Python and C++.
 #include <fmt/format.h>
 
 #include <algorithm>

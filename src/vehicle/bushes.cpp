@@ -24,7 +24,7 @@ component::SixDirections makeStrut(std::vector<element::ElementDescription> elem
 
 Bushes loadBushes(Kind kind, const std::string& path, const std::vector<element::ElementDescription>& further) {
   const double front = VehicleParameters().semi_wheelbase;
-  const std::array<double, 3> stations = {front, -front, 0.0};  // of the struts along x [m]
+  const std::array<double, 3> stations = {front, -front, 0.0};  // positions of the struts along x [m]
   const auto file = io::loadComponentFile(path);
   Bushes bushes;
   for (const std::string& name : bushNames(kind)) {

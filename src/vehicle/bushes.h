@@ -14,19 +14,21 @@ template <class Value>
 using PerBush = std::vector<Value>;
 
 using Bushes = PerBush<component::SixDirections>;
-using Poses = PerBush<Eigen::Isometry3d>;     ///< of body B in body A of each component [m]
-using Wrenches = PerBush<component::Wrench>;  ///< to be applied to B to hold the pose, in A's axes [N, N m]
+using Poses = PerBush<Eigen::Isometry3d>;  ///< of body B in body A of each component [m]
+using Wrenches =
+    PerBush<component::Wrench>;  ///< to be applied to body B to hold the pose, in the axes of body A [N, N m]
 
-/// Returns front_primary, rear_primary and secondary for half a bogie; front_left, front_right, rear_left and
-/// rear_right for a body.
+/// Returns the names of the components: front_primary, rear_primary and secondary for half a bogie, or front_left,
+/// front_right, rear_left and rear_right for a body.
 const PerBush<std::string>& bushNames(Kind kind);
 
-/// Returns a component of six directions, of which only z has elements. The z axis of its frame points down, so that
-/// its displacement is the compression. `station` is its position along x [m].
+/// Returns a component of six directions that has elements in the direction z only. The z axis of its frame points
+/// down, so that the displacement is the compression. `station` is the position of the component along x [m].
 component::SixDirections makeStrut(std::vector<element::ElementDescription> elements, double station);
 
 /// Loads the components of a vehicle. `further` elements, such as a delay, are added to each strut. Throws as
-/// loadComponentFile and selectComponent do, and ComponentFileError for a component of one direction in place of six.
+/// loadComponentFile and selectComponent do, and ComponentFileError if a component of six directions is needed but the
+/// file has one of one direction.
 Bushes loadBushes(Kind kind, const std::string& path, const std::vector<element::ElementDescription>& further = {});
 
 }  // namespace rubber_suspension::vehicle

@@ -11,7 +11,7 @@
 namespace rubber_suspension::vehicle {
 namespace {
 
-// Returns numbers with all digits as further columns of a row.
+// Returns text that appends numbers, with all digits, to a row of a CSV file.
 template <class Numbers>
 std::string numbersText(const Numbers& numbers) {
   std::string text;

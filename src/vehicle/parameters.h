@@ -13,11 +13,11 @@ enum class Kind {
   body,    ///< a body on components of six directions
 };
 
-/// A body on four bushes, with rounded numbers of a truck cab.
+/// Data of a body on four bushes: rounded numbers of a truck cab.
 struct HungBody {
   double mass = 900.0;                                    ///< [kg]
-  std::array<double, 3> inertia = {220.0, 700.0, 800.0};  ///< about x forward, y, z upward [kg m^2]
-  double wheelbase = 2.2;                                 ///< delays the track at the rear bushes [m]
+  std::array<double, 3> inertia = {220.0, 700.0, 800.0};  ///< about the axes x (forward), y and z (upward) [kg m^2]
+  double wheelbase = 2.2;  ///< divided by the speed it is the delay of the track at the rear bushes [m]
 };
 
 /// Masses and lengths of half of a bogie and a quarter of a body of the Manchester benchmark coach [S. Iwnicki (ed.),

@@ -14,7 +14,7 @@ namespace {
 using SimTK::Stage;
 using SimTK::State;
 
-// Computes the wrenches of trial steps from the states at the last accepted step.
+// Computes the wrenches of trial steps from the states of the components at the last accepted step.
 class Trials final : public WrenchLaw {
  public:
   explicit Trials(const Bushes& components) : components_(components) {}
@@ -64,7 +64,7 @@ class HeldWrenches final : public WrenchLaw {
   Wrenches held;
 };
 
-// Appends a state and the wrenches that act there.
+// Appends a state, and the wrenches that act in this state.
 void add(History& history, const Vehicle& vehicle, const State& state, const Wrenches& wrenches) {
   history.time.push_back(state.getTime());
   history.position.emplace_back();
@@ -92,7 +92,7 @@ void prepare(SimTK::Integrator& integrator, const VariableStep& options) {
   integrator.setReturnEveryInternalStep(true);
 }
 
-// Steps to a time; calls `accepted` after each step of the integrator.
+// Steps to a time [s] and calls `accepted` after each step of the integrator.
 void stepTo(SimTK::Integrator& integrator, double time, const std::function<void()>& accepted = [] {}) {
   while (integrator.getTime() < time) {
     element::refuseIf<std::runtime_error>(integrator.stepTo(time) == SimTK::Integrator::EndOfSimulation,

@@ -1,4 +1,5 @@
-// Two ways to step a vehicle: variable steps with trials, and a loop with held wrenches, from the library or elsewhere.
+// Two ways to step a vehicle: with variable steps and trial steps, or in a loop with wrenches that are held over fixed
+// steps.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +12,14 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Settings of all runs.
+/// Settings for both ways.
 struct Scene {
   Kind kind = Kind::struts;
   VehicleParameters parameters;
   Track track;
   double duration = 0.0;         ///< [s]
   std::int64_t step = 1000000;   ///< interval of records and of fixed steps [ns]
-  std::array<double, 3> kick{};  ///< speeds of half a bogie at the start [m/s, rad/s, m/s]
+  std::array<double, 3> kick{};  ///< initial speeds of the three coordinates of half a bogie [m/s, rad/s, m/s]
 
   std::int64_t steps() const;
   double time(std::int64_t n) const { return 1e-9 * static_cast<double>(n * step); }  ///< [s]
@@ -26,8 +27,8 @@ struct Scene {
 
 /// Step control of an explicit integrator.
 struct VariableStep {
-  double accuracy = 1e-8;   ///< Simbody's measure of the error of a step
-  double longest = 0.5e-3;  ///< [s]; bounds the error of linear poses between steps, which is not in `accuracy`
+  double accuracy = 1e-8;   ///< limit of Simbody's measure of the error of a step
+  double longest = 0.5e-3;  ///< [s]; bounds an error that `accuracy` does not: poses are linear between steps
 };
 
 /// Numbers of steps of an integrator.
@@ -36,25 +37,26 @@ struct StepCount {
   int taken_back = 0;  ///< rejected trial steps
 };
 
-/// Runs Runge-Kutta-Merson with variable steps. Trial steps do not change the memory of the components; accepted steps
-/// advance it. There is no delay, so this is the reference for the loop. Throws std::runtime_error if the integrator
-/// cannot continue or a rotation is beyond the range of a component's measure.
+/// Simulates by the method of Runge-Kutta-Merson with variable steps. Accepted steps advance the memory of the
+/// components; trial steps do not change it. There is no delay, so the result is the reference for runExchange().
+/// Throws std::runtime_error if the integrator cannot continue or a rotation is beyond the range of a component's
+/// measure.
 History runVariableStep(const Scene& scene, const Bushes& components, const VariableStep& options,
                         StepCount* count = nullptr);
 
-/// Exchanges poses for wrenches, one of each component; several exchanges may be in transit.
+/// Exchanges a pose of each component for a wrench. Poses may be sent before the wrenches of earlier ones are received.
 class Exchange {
  public:
   virtual ~Exchange() = default;
 
-  /// Sends the poses at a stamp [ns].
+  /// Sends the poses of a stamp [ns].
   virtual void send(std::int64_t stamp, const Poses& poses) = 0;
 
-  /// Waits for the wrenches that answer the poses sent at a stamp. Throws std::runtime_error if none arrive.
+  /// Waits for the wrenches that answer the poses of a stamp [ns]. Throws std::runtime_error if none arrive.
   virtual Wrenches receive(std::int64_t stamp) = 0;
 };
 
-/// Computes the wrenches in the same process by the streams that the node uses: the same numbers, bit by bit.
+/// Computes the wrenches in the same process, with the streams that the node uses, so the numbers are equal bit by bit.
 class LibraryExchange final : public Exchange {
  public:
   /// The components must outlive this object.
@@ -69,8 +71,9 @@ class LibraryExchange final : public Exchange {
 };
 
 /// Simulates a loop with a partner that answers poses with wrenches at fixed steps. From step n to step n + 1 the
-/// wrenches of step n - delay act, constant, with a mean delay of (delay + 1/2) steps. With delay 0 each step waits for
-/// its answer; with 1 partner and vehicle compute at the same time. The history contains the wrenches that act.
+/// wrenches of step n - delay act and are constant, so the mean delay is (delay + 1/2) steps. With a delay of 0 each
+/// step waits for its answer. With a delay of 1 partner and vehicle compute at the same time. The history contains the
+/// wrenches that act.
 History runExchange(const Scene& scene, Exchange& exchange, int delay);
 
 /// Returns the mean delay of wrenches in such a loop [s].

@@ -1,4 +1,4 @@
-// The track below the vehicle: heights over time, smooth between the samples of a log.
+// The track below the vehicle: its height as a function of time, smooth between the samples of a log.
 #pragma once
 
 #include <memory>
@@ -7,14 +7,15 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Vertical irregularity as a wheel meets it. A cubic spline goes through the samples, since an integrator of higher
-/// order needs a smooth input; before the first and after the last sample the track is level.
+/// Height of the track under a wheel as a function of time. It is a cubic spline through the samples, since an
+/// integrator of higher order needs a smooth input. The track is level before the first and after the last sample.
 class Track {
  public:
-  /// A level track at height 0.
+  /// Makes a level track at height 0.
   Track() = default;
 
-  /// Interpolates the displacement [m] of a log. Throws LogError as checkLog does, and for fewer than four samples.
+  /// Makes a track from the displacement [m] of a log. Throws LogError as checkLog does, and for fewer than four
+  /// samples.
   explicit Track(const log::Log& log);
 
   /// Returns the height [m] at a time [s] from the start of the log.

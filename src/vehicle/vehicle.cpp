@@ -7,7 +7,8 @@ namespace {
 using SimTK::MobilizedBody;
 using SimTK::Vec3;
 
-// Frames of a slider along z and of a pin about -y: joints of Simbody slide along x and turn about z of their frames.
+// Frames in which a Simbody slider, which slides along x, moves along z, and a pin, which turns about z, turns about
+// -y.
 SimTK::Transform alongZ() { return {SimTK::Rotation(-SimTK::Pi / 2, SimTK::YAxis)}; }
 SimTK::Transform aboutMinusY() { return {SimTK::Rotation(SimTK::Pi / 2, SimTK::XAxis)}; }
 
@@ -19,7 +20,7 @@ Vec3 toSimbody(const Eigen::Vector3d& vector) { return {vector[0], vector[1], ve
 
 }  // namespace
 
-// Computes the forces for Simbody, which requests them at every stage of every trial step.
+// Computes forces for Simbody, which requests them at every stage of every trial step.
 class Vehicle::BushForces final : public SimTK::Force::Custom::Implementation {
  public:
   BushForces(const Vehicle& vehicle, WrenchLaw& law) : vehicle_(vehicle), law_(law) {}
@@ -33,7 +34,7 @@ class Vehicle::BushForces final : public SimTK::Force::Custom::Implementation {
     }
   }
 
-  // The energy of the rubber is not computed.
+  // Returns 0, since the energy of the rubber is not computed.
   double calcPotentialEnergy(const SimTK::State& /*state*/) const override { return 0.0; }
 
  private:
@@ -44,7 +45,7 @@ class Vehicle::BushForces final : public SimTK::Force::Custom::Implementation {
 Vehicle::Vehicle(Kind kind, const VehicleParameters& parameters, const Track& track, WrenchLaw& law)
     : track_(track), matter_(system_), forces_(system_) {
   kind == Kind::body ? makeBody(parameters) : makeHalfBogie(parameters);
-  const SimTK::Force::Custom bushes(forces_, new BushForces(*this, law));  // the subsystem owns it
+  const SimTK::Force::Custom bushes(forces_, new BushForces(*this, law));  // the subsystem owns BushForces
   system_.realizeTopology();
 }
 
@@ -66,7 +67,7 @@ void Vehicle::makeHalfBogie(const VehicleParameters& parameters) {
                                  aboutMinusY());
   const MobilizedBody::Slider body(matter_.Ground(), alongZ(), solid(parameters.body_mass, Vec3(parameters.body_mass)),
                                    alongZ());
-  const Vec3 above(0.0, 0.0, 1.0);  // [m], gives the damper a direction
+  const Vec3 above(0.0, 0.0, 1.0);  // point of the body above the frame, which gives the damper a direction [m]
   const SimTK::Force::TwoPointLinearDamper damper(forces_, frame, Vec3(0.0), body, above, parameters.secondary_damping);
   const SimTK::MobilizedBodyIndex frame_index = frame.getMobilizedBodyIndex();
   mounts_ = {{SimTK::GroundIndex, frame_index, 0.0},
@@ -99,7 +100,7 @@ Poses Vehicle::poses(const SimTK::State& state) const {
   return poses;
 }
 
-// A force on the ground has no effect.
+// Adds the reactions of a component to the forces on its two bodies. A force on the ground has no effect.
 void Vehicle::apply(const SimTK::State& state, const Mount& mount, const component::Reactions& reactions,
                     SimTK::Vector_<SimTK::SpatialVec>& body_forces) const {
   const auto& a = matter_.getMobilizedBody(mount.a);

@@ -1,5 +1,5 @@
-// Vehicles on rubber components as Simbody models: half a bogie, and a body on four bushes. Include this file only to
-// step the model itself, because Simbody's headers are slow to compile.
+// Vehicles on rubber components as Simbody models: half a bogie, and a body on four bushes. Include this file only
+// where the model itself is stepped, because Simbody's headers are slow to compile.
 #pragma once
 
 #include <Simbody.h>
@@ -16,14 +16,15 @@ class WrenchLaw {
  public:
   virtual ~WrenchLaw() = default;
 
-  /// Returns the wrench of a component at a time [s] and pose, also for trial steps, which may be rejected.
+  /// Returns the wrench of a component at a time [s] and a pose. It is also called for trial steps, which may be
+  /// rejected.
   virtual component::Wrench wrench(std::size_t bush, double time, const Eigen::Isometry3d& pose) = 0;
 };
 
-/// Simulates motion about the equilibrium, without gravity and preload. Axes as in REP 103: x forward, z up. The frames
-/// of the bodies are at their centres of gravity and coincide at rest with that of the track, so that the position of a
-/// component depends on its own frames only. The coordinates of half a bogie are the height of the frame [m], its pitch
-/// [rad] (positive lifts the front) and the height of the body [m].
+/// Simulates motion about the equilibrium, without gravity and preload. The axes are those of REP 103: x forward, z up.
+/// The frames of the bodies are at their centres of gravity. At rest they coincide with the frame of the track, so that
+/// only its own frames determine the position of a component. The coordinates of half a bogie are the height of the
+/// frame [m], its pitch [rad] (positive lifts the front) and the height of the body [m].
 class Vehicle {
  public:
   /// Track and law must outlive the vehicle.
@@ -44,7 +45,7 @@ class Vehicle {
   struct Mount {
     SimTK::MobilizedBodyIndex a;  // a body, or the ground raised by the track
     SimTK::MobilizedBodyIndex b;
-    double delay = 0.0;  // of the track below the component [s]
+    double delay = 0.0;  // delay of the track below the component [s]
   };
 
   void makeBody(const VehicleParameters& parameters);

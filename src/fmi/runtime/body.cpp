@@ -1,4 +1,4 @@
-// A component of one direction or of six behind the same calls.
+// Calls that are the same for a component of one direction and one of six directions.
 #include "fmi/runtime/body.h"
 
 #include "element/refuse.h"
@@ -62,7 +62,7 @@ void Body::restore(const SavedState& state) {
   }
 }
 
-// Throws std::invalid_argument for a rotation beyond the range of its measure.
+// Returns the pose of body B. Throws std::invalid_argument for a rotation beyond the range of its measure.
 Eigen::Isometry3d Body::pose(const Numbers& inputs) const {
   const component::SixNumbers numbers = Eigen::Map<const component::SixNumbers>(inputs.data());
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

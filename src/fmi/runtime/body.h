@@ -1,4 +1,4 @@
-// The component that an instance simulates, of one direction or of six, behind the same calls.
+// The component that an instance simulates. Its calls are the same for one direction and for six directions.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,8 @@ namespace rubber_suspension::fmi {
 
 class Body {
  public:
-  /// Builds the component with the calculated parameters of its data. Throws std::exception if there is none.
+  /// Builds the component and stores its calculated parameters. Throws std::exception if the data describe no
+  /// component.
   Body(const ComponentData& data, std::vector<double> calculated);
 
   const std::vector<double>& calculated() const { return calculated_; }
@@ -26,12 +27,13 @@ class Body {
     six_ ? six_->setTemperature(six_state_, temperature) : one_->setTemperature(one_state_, temperature);
   }
 
-  /// Initialises at rest, without history, at a temperature [degC] or as specified, and returns the outputs. Throws
-  /// std::invalid_argument if they are not finite or a rotation is beyond the range of its measure.
+  /// Initialises the component at rest, without history, at a temperature [degC] or, if none is given, as specified.
+  /// Returns the outputs. Throws std::invalid_argument if an output is not finite or a rotation is beyond the range of
+  /// its measure.
   Numbers initialise(const Numbers& inputs, const std::optional<double>& temperature);
 
-  /// Advances and sets the outputs; returns false if they are not finite. Allocates nothing. Throws
-  /// std::invalid_argument, without any change, for a rotation beyond the range of its measure.
+  /// Advances by a step [s] and sets the outputs. Returns false if an output is not finite. Allocates nothing. For a
+  /// rotation beyond the range of its measure, throws std::invalid_argument and changes nothing.
   bool step(double size, const Numbers& inputs, Numbers& outputs) {
     if (six_) {
       return stepSix(size, inputs, outputs);
@@ -46,7 +48,7 @@ class Body {
 
   void save(SavedState& state) const;
 
-  /// Restores a state. Throws std::invalid_argument, without any change, for one that this component cannot have saved.
+  /// Restores a state. If this component cannot have saved it, throws std::invalid_argument and changes nothing.
   void restore(const SavedState& state);
 
  private:

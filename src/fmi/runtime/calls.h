@@ -1,6 +1,7 @@
-// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation (chapters 2 and 4 of both standards), one per row. FMI_PLAIN has
-// type of the result, name, parameters and value; FMI_CALL has version, name, parameters and the work on an `instance`.
-// fmi.h declares the calls by these rows and fmi.cpp defines them, with both macros defined first. No include guard.
+// The calls of FMI 2.0.4 and FMI 3.0 for co-simulation (chapters 2 and 4 of both standards), one per row. The arguments
+// of FMI_PLAIN are the type of the result, the name, the parameters and the result; those of FMI_CALL are the version,
+// the name, the parameters and a statement that uses `instance`. fmi.h and fmi.cpp define both macros and include this
+// file, to declare and to define the calls. So there is no include guard.
 
 FMI_PLAIN(fmiString, fmi2GetTypesPlatform, (), "default")
 FMI_PLAIN(fmiString, fmi2GetVersion, (), "2.0")
@@ -21,7 +22,7 @@ FMI_PLAIN(void*, fmi3InstantiateScheduledExecution,
            fmi3Callback, fmi3Callback, fmi3Callback),
           instantiate(nullptr, false, "scheduled execution", environment, callback))
 
-// Calls that are alike in both versions.
+// Calls that are the same in both versions except for types.
 #define FMI_ALIKE(V, Boolean, State, Deserialize, Byte)                                                     \
   FMI_PLAIN(void, fmi##V##FreeInstance, (void* c), delete static_cast<Instance*>(c))                        \
   FMI_CALL(V, SetDebugLogging, (void* c, Boolean on, std::size_t count, const fmiString categories[]),      \
@@ -68,7 +69,7 @@ FMI_CALL(2, SetRealInputDerivatives,
          (void* c, const fmiReference vr[], std::size_t count, const int order[], const double value[]),
          instance.setDerivatives(vr, count, order, value))
 
-// No step is in progress when one of these is called.
+// The status of the last step. No step is in progress when one of these functions is called.
 FMI_CALL(2, GetRealStatus, (void* c, fmi2StatusKind kind, double* value),
          getStatus(kind == fmi2LastSuccessfulTime,
                    "this status is not a real number; accepted: the last successful time", value, instance.time()))
@@ -81,7 +82,7 @@ FMI_NO_STATUS(GetIntegerStatus, int)
 FMI_NO_STATUS(GetStringStatus, fmiString)
 #undef FMI_NO_STATUS
 
-// All variables are real numbers, but the standards require the calls for all other types as well.
+// All variables are real numbers, but the standards require the calls for other types as well.
 #define FMI_NO_TYPE(V, Type, get, set)                  \
   FMI_CALL(V, Get##Type, get, refuseType(count, #Type)) \
   FMI_CALL(V, Set##Type, set, refuseType(count, #Type))
@@ -110,7 +111,7 @@ FMI_NO_SIMPLE(3, Clock, bool)
 #undef FMI_NO_SIMPLE
 #undef FMI_NO_TYPE
 
-// Calls that this package does not support; those of FMI 3.0 are grouped by their parameters.
+// Calls that this package does not support. The calls of FMI 3.0 are grouped by their parameters.
 #define FMI_DERIVATIVE FMI_LIST, const fmiReference[], std::size_t, const double[]
 #define FMI_REFUSE(r, parameters, name) FMI_CALL(3, name, parameters, refuse(BOOST_PP_STRINGIZE(name)))
 #define FMI_REFUSED(parameters, names) BOOST_PP_SEQ_FOR_EACH(FMI_REFUSE, parameters, names)

@@ -1,5 +1,5 @@
-// The component in an FMU: the specification or the elements, and what was added. The exporter writes it, the binary
-// reads it.
+// The component in an FMU: its specification or its elements, and added elements. The exporter writes these data, and
+// the binary reads them.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,19 @@ using Elements = std::vector<element::ElementDescription>;
 
 struct ComponentData {
   std::string name;  ///< of the component
-  std::string guid;  ///< by which an importer checks that modelDescription.xml and binary belong together
+  std::string guid;  ///< must be the same in modelDescription.xml and in the binary
   estimation::Model model = estimation::Model::elements;
   estimation::Specification specification;  ///< empty for the model `elements`
   Elements elements;                        ///< of the model `elements`, complete; empty for all others
   Elements add;                             ///< complete
-  /// Shifts with temperature, complete: those of the key `temperature`.
+  /// Entries of the key `temperature`, complete.
   Elements temperature;
-  /// Set for a component of six directions, with complete elements; it has only name and GUID besides.
+  /// Laws with complete elements, set only for a component of six directions. Then all other data except name and GUID
+  /// are unused.
   std::optional<component::SixDirectionsLaws> six;
 
-  /// Returns the elements that the model lists or estimates from the specification. Throws std::invalid_argument if
-  /// that has no solution.
+  /// Returns the elements that the model lists or estimates from the specification. Throws std::invalid_argument if the
+  /// specification has no solution.
   Elements modelElements() const;
 
   /// Returns the elements of the model, added elements and temperature shifts, in the order of the component file.
@@ -37,10 +38,10 @@ struct ComponentData {
 /// Returns the entries with all defaults. Throws std::invalid_argument as element::complete does.
 Elements completed(Elements entries);
 
-/// Returns text that fromJson() reads back to the same numbers, bit by bit.
+/// Returns text from which fromJson() reads the same numbers, bit by bit.
 std::string toJson(const ComponentData& data);
 
-/// Returns the component of such a text. Throws std::exception on any other text.
+/// Returns the component from text that toJson() has written. Throws std::exception for any other text.
 ComponentData fromJson(const std::string& text);
 
 }  // namespace rubber_suspension::fmi

@@ -9,11 +9,11 @@
 
 namespace rubber_suspension::fmi {
 
-/// Capacity for the text [bytes].
+/// Largest size of the text [bytes].
 constexpr std::size_t kCapacity = 1024 * 1024;
 
-/// Marker, size of the text and text, with the same layout in the file and in memory. The operating system maps them
-/// together with the code, so the binary opens no file, wherever an importer puts it.
+/// Marker, size of the text, and text, with the same layout in the file and in memory. The operating system maps the
+/// block together with the code. So the binary opens no file, and an importer may put it in any folder.
 struct EmbeddedBlock {
   char marker[sizeof(RUBBER_SUSPENSION_BLOCK_MARKER)];
   std::uint64_t size;  // of the text [bytes]

@@ -1,5 +1,5 @@
-// FMI 2.0 and FMI 3.0 for co-simulation on an instance. Null pointers are refused, and no exception reaches the
-// importer.
+// Definitions of the calls of FMI 2.0 and FMI 3.0 for co-simulation. They refuse null pointers, and no exception leaves
+// them.
 #include "fmi/runtime/fmi.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 #include "fmi/runtime/embedded.h"
 #include "fmi/runtime/instance.h"
 
-#ifdef RUBBER_SUSPENSION_BUILT_IN  // compiled from the sources in an FMU
+#ifdef RUBBER_SUSPENSION_BUILT_IN  // when compiled from the sources in an FMU
 #include "component_text.h"
 #else
 #define RUBBER_SUSPENSION_COMPONENT_TEXT ""
@@ -33,8 +33,8 @@ static_assert(sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) <= kCapacity, "more text 
 
 // Returns the text in the block, which is empty until the exporter writes to it.
 std::string embeddedText() {
-  // Volatile, because the exporter changes the content in the binary; not constant, so that it is in a section with
-  // initialised data.
+  // The block is volatile, because the exporter changes its content in the binary, and not constant, so that it is in a
+  // section with initialised data.
   static volatile EmbeddedBlock block = {RUBBER_SUSPENSION_BLOCK_MARKER, sizeof(RUBBER_SUSPENSION_COMPONENT_TEXT) - 1,
                                          RUBBER_SUSPENSION_COMPONENT_TEXT};
   const std::uint64_t written = block.size;
@@ -43,7 +43,7 @@ std::string embeddedText() {
   return text;
 }
 
-// Calls `body` with the instance behind a handle. Exceptions become a message and a status.
+// Calls `body` with the instance that a handle refers to. An exception becomes a message and a status.
 template <class Body>
 Status guarded(void* handle, Body body) noexcept {
   if (handle == nullptr) {
@@ -59,7 +59,7 @@ Status guarded(void* handle, Body body) noexcept {
     } catch (const std::exception& error) {
       return instance.tell(Status::error, error.what());
     }
-  } catch (...) {  // if even the message fails, only the status is returned
+  } catch (...) {  // if logging throws, only the status is returned
     return Status::error;
   }
 }
@@ -74,7 +74,8 @@ Log logTo(const fmi2CallbackFunctions* functions, fmiString name) {
   return [functions = functions == nullptr ? fmi2CallbackFunctions{} : *functions,
           instance = std::string(name == nullptr ? "" : name)](Status status, const std::string& message) {
     if (functions.logger != nullptr) {
-      // The logger reads the message as a format of printf, and # as a reference to a variable.
+      // The logger interprets the message as a format of printf and # as a reference to a variable, so both are
+      // escaped.
       const std::string text = std::regex_replace(message, std::regex("[%#]"), "$&$&");
       functions.logger(functions.componentEnvironment, instance.c_str(), static_cast<fmi2Status>(status),
                        categoryOf(status), text.c_str());
@@ -91,7 +92,8 @@ Log logTo(void* environment, fmi3LogMessageCallback callback) {
 }
 
 // Returns an instance of the component in this binary, or nullptr with a message. `token` is the GUID or instantiation
-// token of modelDescription.xml; `refused` names a requested kind of use that is not supported, or is nullptr.
+// token of modelDescription.xml. `refused` names a requested kind of use that is not supported; it is nullptr if there
+// is none.
 template <class... Logger>
 void* instantiate(const char* token, bool logging_on, const char* refused, Logger... logger) noexcept {
   try {
@@ -106,12 +108,12 @@ void* instantiate(const char* token, bool logging_on, const char* refused, Logge
     } catch (const std::exception& error) {
       log(Status::error, std::string("the instance cannot be created: ") + error.what());
     }
-  } catch (...) {  // even the message fails
+  } catch (...) {  // logging threw as well
   }
   return nullptr;
 }
 
-// Returns the target of a pointer of the importer. Throws std::invalid_argument for a null pointer.
+// Returns the value to which a pointer of the importer points. Throws std::invalid_argument for a null pointer.
 template <class Value>
 Value& at(Value* pointer, const char* call) {
   return pointer != nullptr ? *pointer : throw std::invalid_argument(std::string(call) + ": the pointer is null");
@@ -137,7 +139,6 @@ void requireAsMany(std::size_t count, std::size_t values) {
   refuseIf(values != count, "the numbers of values and variables differ; accepted: one value for each variable");
 }
 
-// Refuses requests for variables of a type that no FMU of this package has.
 void refuseType(std::size_t count, const char* type) {
   refuseIf(count > 0, "no variable has the type {}; accepted: real numbers", type);
 }
@@ -152,19 +153,19 @@ void step(Instance& instance, double time, double size, std::initializer_list<bo
   }
   double ignored = 0.0;
   double& reached = last_time == nullptr ? ignored : *last_time;
-  reached = instance.time();  // remains if the step is refused
+  reached = instance.time();  // the result if the step is refused
   instance.step(time, size);
   reached = instance.time();
 }
 
-// Returns the status of the last step, because no step is ever pending.
+// Gives the importer a value about the last step, since no step is ever pending. Throws if the value is not `known`.
 template <class Value>
 void getStatus(bool known, const char* accepted, Value* value, Value found) {
   refuseIf<Discarded>(!known || value == nullptr, "status: {}", accepted);
   *value = found;
 }
 
-// Saves into the state of the importer, or into a new one if it has none.
+// Saves into the given state, or into a new one if the importer gives a null pointer.
 void saveTo(const Instance& instance, void** state) {
   void*& held = at(state, "save of the state");
   auto fresh = held == nullptr ? std::make_unique<SavedState>() : nullptr;

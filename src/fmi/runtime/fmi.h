@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// The names are those of the standards.
+// The standards determine the names.
 // NOLINTBEGIN
 #pragma GCC visibility push(default)
 extern "C" {
@@ -15,7 +15,7 @@ typedef std::uint32_t fmiReference;
 typedef const char* fmiString;
 typedef int fmi2Boolean;
 typedef const std::uint8_t* fmi3Binary;
-typedef int fmi3Enum;  // any enumeration, in calls that are not supported
+typedef int fmi3Enum;  // any enumeration in calls that this package does not support
 
 enum fmi2Status { fmi2OK, fmi2Warning, fmi2Discard, fmi2Error, fmi2Fatal, fmi2Pending };
 enum fmi2Type { fmi2ModelExchange, fmi2CoSimulation };
@@ -30,7 +30,7 @@ struct fmi2CallbackFunctions {
   void* componentEnvironment;
 };
 typedef void (*fmi3LogMessageCallback)(void* environment, fmi3Status, fmiString category, fmiString message);
-typedef void (*fmi3Callback)();  // with any arguments, because this package calls none
+typedef void (*fmi3Callback)();  // stands for callbacks with any arguments, because this package calls none of them
 
 #ifdef _WIN32
 #define FMI_EXPORT __declspec(dllexport)

@@ -1,4 +1,4 @@
-// One instance of an FMU: everything but the steps themselves.
+// One instance of an FMU, except for the steps, which are in the header.
 #include "fmi/runtime/instance.h"
 
 #include <algorithm>
@@ -83,7 +83,7 @@ void Instance::checkSet(Reference reference, double value) const {
   refuseIf(now_.phase > (parameter ? Phase::initialising : Phase::stepping), "set of {}: not allowed in phase '{}'",
            variable.name, nameOf(now_.phase));
   refuseIf(!parameter && variable.causality != Causality::input, "set: {} cannot be set", variable.name);
-  // Until the component is built, the range of the temperature is that for the start values of the parameters.
+  // Until the component is built, the range of the temperature belongs to the start values of the parameters.
   const bool shifted = reference == table_.temperature() && body_;
   const element::Range range = shifted ? body_->temperatures() : variable.range;
   if (!range.contains(value)) {
@@ -146,7 +146,8 @@ void Instance::setDerivatives(const Reference* references, std::size_t count, co
            "set of a derivative: a pointer is null");
   require(count == 0 || now_.phase <= Phase::stepping, "set of a derivative");
   for (std::size_t i = 0; i < count; ++i) {
-    const auto order = static_cast<std::size_t>(orders[i]);  // out of range if negative
+    const auto order =
+        static_cast<std::size_t>(orders[i]);  // a negative order becomes a large number, which is refused
     refuseIf(data_.six || references[i] != reference::kDisplacement || order < 1 || order > kMostDerivatives,
              "derivative {} of variable {}; accepted: derivatives 1 to {} of the displacement", orders[i],
              references[i], kMostDerivatives);
@@ -158,7 +159,7 @@ void Instance::setDerivatives(const Reference* references, std::size_t count, co
   }
 }
 
-// Throws std::exception if these parameters describe no component.
+// Returns the component with these parameters. Throws std::exception if they describe no component.
 Body Instance::build(const std::vector<double>& parameters) const {
   ComponentData changed = data_;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -175,9 +176,9 @@ void Instance::settle() {
   }
 }
 
-// Importers accumulate the time themselves, and each step uses their time, so the two differ by one rounding, 1e-16 of
-// the time. The tolerance of 1e-9 of the time and a millionth of the step is ample; a larger difference means that a
-// step was omitted, repeated or ends beyond the stop time.
+// Returns the tolerance of times [s]. The time of the importer and that of the instance differ by one rounding, 1e-16
+// of the time. A difference above 1e-9 of the time plus a millionth of the step means that a step was omitted or
+// repeated, or ends beyond the stop time.
 double Instance::roomFor(double size) const { return 1e-6 * size + 1e-9 * std::abs(now_.time); }
 
 bool Instance::isInTime(double time, double size) const {
@@ -228,7 +229,7 @@ void Instance::restore(const SavedState& state) {
            "restore of a state: the state is not from this FMU");
   refuseIf(saved.phase == Phase::failed || (saved.phase > Phase::initialising && !saved.settled),
            "restore of a state: a simulation cannot continue from this state");
-  // All that can fail comes first, so that an instance is changed as a whole or not at all.
+  // Statements that may throw come first, so that a failed restore changes nothing.
   if (!saved.settled) {
     body_.reset();
   } else if (body_ && saved.parameters == now_.parameters) {

@@ -1,4 +1,4 @@
-// One instance of an FMU for both versions of the standard: phases, variables, steps, saved states.
+// One instance of an FMU, for both versions of the standard: phases, variables, steps, saved states.
 #pragma once
 
 #include <array>
@@ -16,19 +16,19 @@
 
 namespace rubber_suspension::fmi {
 
-/// Result of a call; the numbers are those of fmi2Status and fmi3Status.
+/// Status that a call returns, with the numbers of fmi2Status and fmi3Status.
 enum class Status : int { ok = 0, discard = 2, error = 3 };
 
-/// Thrown by a refused call that has changed nothing, after which the importer may continue. Any other exception makes
-/// the call an error.
+/// Thrown if a call is refused and has changed nothing, so that the importer may continue. Any other exception gives
+/// the status `error`.
 class Discarded : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Receives the messages: the status of the call and the text.
+/// Receives messages, each with the status of the call.
 using Log = std::function<void(Status status, const std::string& message)>;
 
-/// A category of the log.
+/// A category of log messages.
 struct LogCategory {
   Status status;  ///< status of its messages
   const char* name;
@@ -38,21 +38,21 @@ constexpr LogCategory kLogCategories[] = {{Status::ok, "logEvents", "changes of 
                                           {Status::discard, "logStatusDiscard", "refused values"},
                                           {Status::error, "logStatusError", "errors"}};
 
-/// Simulates a component of one direction or of six for an importer. During a step the displacement moves linearly in
-/// time to the input at the time of the call, plus the increment from its derivatives. So an importer that sets the
-/// displacement of the end of each step receives the forces of a replay at the same times, bit by bit.
+/// Simulates a component of one direction or of six directions for an importer. During a step the displacement moves
+/// linearly in time to the input at the time of the call, plus the increment from its derivatives. So an importer that
+/// sets the displacement of the end of each step receives the forces of a replay at the same times, bit by bit.
 ///
-/// Calls in a wrong order, unknown references and wrong times throw errors and do not change the instance; values out
-/// of range throw Discarded. After a force that is not finite, an instance requires a reset or a saved state. Instances
-/// share no data, so each may run in its own thread.
+/// Calls in a wrong order, unknown references and wrong times throw std::exception and do not change the instance.
+/// Values out of range throw Discarded. After a force that is not finite, the importer has to reset the instance or to
+/// restore a saved state. Instances share no data, so each may run in its own thread.
 class Instance {
  public:
-  /// Throws std::exception if the data describes no component.
+  /// Throws std::exception if the data describe no component.
   Instance(ComponentData data, Log log);
 
   void setTimes(double start, bool stop_defined, double stop);
 
-  /// Changes the phase; before the first step the component is built and initialised.
+  /// Changes the phase. The change to Phase::stepping builds and initialises the component.
   void pass(Phase from, Phase to, const char* call);
   void reset();
 
@@ -74,10 +74,11 @@ class Instance {
     }
   }
 
-  /// Sets derivatives of the displacement by time, of orders 1 to kMostDerivatives, for the next step only.
+  /// Sets time derivatives of the displacement, of orders 1 to kMostDerivatives, for the next step only.
   void setDerivatives(const Reference* references, std::size_t count, const int* orders, const double* values);
 
-  /// Advances by a step [s] that begins at a time [s] and does not end after the stop time. Allocates nothing.
+  /// Advances by a step of `size` [s], which begins at `time` [s] and must not end after the stop time. Allocates
+  /// nothing.
   void step(double time, double size) {
     if (now_.phase != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
       refuseStep(time, size);
@@ -92,14 +93,14 @@ class Instance {
 
   double time() const { return now_.time; }
 
-  /// Saves into a state, without allocation if an earlier state of this instance is replaced.
+  /// Saves into a state. Allocates nothing if the state already contains one of this instance.
   void save(SavedState& state) const;
   void restore(const SavedState& state);
 
-  /// Switches the log of the changes of the phase, which is for debugging.
+  /// Switches messages about changes of the phase on or off.
   void logEvents(bool on) { log_events_ = on; }
 
-  /// Logs the status of a call with a message and returns it.
+  /// Logs the status of a call with a message and returns the status.
   Status tell(Status status, const std::string& message) const;
 
  private:

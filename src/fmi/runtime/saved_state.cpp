@@ -1,5 +1,5 @@
-// A saved state as a sequence of 8-byte words: magic number, checksum and fingerprint of the FMU, then numbers: a fixed
-// head, the parameters, the memory of the component. Flat, so that any bytes can be read without recursion.
+// A saved state as a sequence of 8-byte words: magic number, checksum, fingerprint of the FMU, a fixed list of numbers,
+// the parameters, the memory of the component. The format is flat, so that any bytes can be read without recursion.
 #include "fmi/runtime/saved_state.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kMagic = 0x3430544154535352;  // "RSSTAT04", lowest byte first
 constexpr std::size_t kWords = 3;                     // magic number, checksum, fingerprint
 
-// Single numbers, and arrays of numbers behind them, in the order of the bytes.
+// Returns references to the single numbers of a state in the order of the bytes.
 template <class State, class Count>
 auto singlesOf(State& state, Count& parameters) {
   auto& now = state.standing;
@@ -29,7 +29,7 @@ auto rowsOf(State& state) {
 }
 constexpr std::size_t kHead = 8 + 2 * std::tuple_size_v<Numbers> + kMostDerivatives;
 
-// FNV-1a.
+// Returns the FNV-1a hash of bytes.
 std::uint64_t hashOf(const char* bytes, std::size_t size) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (std::size_t i = 0; i < size; ++i) {
@@ -38,7 +38,7 @@ std::uint64_t hashOf(const char* bytes, std::size_t size) {
   return hash;
 }
 
-// Returns the checksum of all bytes behind it.
+// Returns the checksum of the bytes that follow the checksum.
 std::uint64_t checksumOf(const char* bytes, std::size_t size) { return hashOf(bytes + 16, size - 16); }
 
 }  // namespace
@@ -62,7 +62,7 @@ SavedState deserialise(const char* bytes, std::size_t size) {
     std::memcpy(words, bytes, sizeof words);
     std::memcpy(numbers.data(), bytes + sizeof words, 8 * numbers.size());
   }
-  // The memory of a component includes indices, so changed bytes must not be used.
+  // The memory of a component includes indices, so bytes that were changed must not be used.
   element::refuseIf(words[0] != kMagic || words[1] != checksumOf(bytes, size),
                     "the bytes are not a serialised state, or they were changed");
   const double phase = numbers[0];

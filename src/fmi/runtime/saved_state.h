@@ -17,7 +17,7 @@ enum class Phase : std::uint32_t { instantiated, initialising, stepping, termina
 /// Highest time derivative of the displacement that an importer may give for the next step.
 constexpr std::size_t kMostDerivatives = 3;
 
-/// The stop time of an experiment without one [s], which no step reaches.
+/// Stop time [s] if the experiment defines none; no step reaches it.
 constexpr double kNoStop = std::numeric_limits<double>::max();
 
 /// Inputs or outputs: one displacement [m] and its force with the parts elastic, viscous and friction [N], or a pose
@@ -31,11 +31,12 @@ struct Standing {
   double stop_time = kNoStop;  ///< [s]
   Numbers inputs = {};
   Numbers outputs = {};
-  std::array<double, kMostDerivatives> derivative = {};  ///< of the input, the first at [0] [m/s, m/s^2, ...]
-  bool has_temperature = false;                          ///< true if the input was set
-  double degrees = 0.0;                                  ///< temperature, if set [degC]
-  std::vector<double> parameters;                        ///< values of those that can be set
-  bool settled = false;  ///< the component has been built and initialised; it may have been stepped since
+  std::array<double, kMostDerivatives> derivative =
+      {};                          ///< of the input; the first derivative is at [0] [m/s, m/s^2, ...]
+  bool has_temperature = false;    ///< true if the input `temperature` was set
+  double degrees = 0.0;            ///< the temperature [degC] if it was set
+  std::vector<double> parameters;  ///< values of the parameters that can be set
+  bool settled = false;            ///< the component has been built and initialised; it may have been stepped since
 
   std::optional<double> temperature() const { return has_temperature ? std::optional(degrees) : std::nullopt; }
 };
@@ -47,10 +48,10 @@ struct SavedState {
   std::vector<double> memory;           ///< of the component
 };
 
-/// Returns bytes that preserve every number exactly and are the same on all machines of this byte order.
+/// Returns bytes that preserve every number exactly and are the same on all computers with the same byte order.
 std::string serialise(const SavedState& state);
 
-/// Returns the state in such bytes. Throws std::exception for any other bytes.
+/// Returns the state from bytes that serialise() has written. Throws std::exception for any other bytes.
 SavedState deserialise(const char* bytes, std::size_t size);
 
 /// Returns the hash of a GUID, which identifies an FMU (FNV-1a).

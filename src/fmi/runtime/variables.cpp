@@ -1,4 +1,4 @@
-// The list of the variables of an FMU, from the tables of laws and models.
+// The list of the variables of an FMU, which is made from the parameter tables of laws and models.
 #include "fmi/runtime/variables.h"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ std::string describe(const element::ParameterInfo& parameter) {
   return parameter.documentation + (open ? "; " + element::describe(range) : "");
 }
 
-// The number of elements determines which variables exist, so it cannot be changed.
+// Returns the range in which a parameter can be set. The number of elements determines which variables exist, so it is
+// constant.
 element::Range settableRange(const element::ParameterInfo& parameter, double value) {
   return parameter.name == "maxwell_elements" ? element::Range::closed(value, value) : parameter.range;
 }
@@ -86,7 +87,7 @@ void VariableTable::addSix(const ComponentData& data) {
   addTemperature(data.name, component::SixDirections(*data.six), all);
 }
 
-// Adds the temperature. It starts at the reference of the first shift, where the component is as specified.
+// Adds the variable for the temperature, whose start value is the reference temperature of the first shift.
 template <class Component>
 void VariableTable::addTemperature(const std::string& name, const Component& component, const Elements& elements) {
   temperature_ = static_cast<Reference>(variables_.size());

@@ -1,4 +1,4 @@
-// The variables of an FMU: the same list for modelDescription.xml and for the binary.
+// The list of the variables of an FMU, which modelDescription.xml and the binary share.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace rubber_suspension::fmi {
 
-/// Place of a variable in the list, which importers use as its value reference.
+/// Index of a variable in the list, which importers use as its value reference.
 using Reference = std::uint32_t;
 
-/// Every list begins with time, inputs and outputs. The parameters follow, then the temperature if the component shifts
-/// with it. These references are for one direction; six directions have six inputs and six outputs.
+/// Every list begins with time, inputs and outputs. The parameters follow, then the temperature if the component has
+/// temperature shifts. These references are valid for one direction; six directions have six inputs and six outputs.
 namespace reference {
 constexpr Reference kTime = 0;
 constexpr Reference kDisplacement = 1;
@@ -26,33 +26,33 @@ enum class Causality {
   input,
   output,
   parameter,             ///< can be set until the initialisation ends
-  calculated_parameter,  ///< of an element that the model estimates from the specification
+  calculated_parameter,  ///< parameter of an element that the model estimates from the specification
 };
 
 /// Place of the value of a parameter in the data of a component.
 struct Place {
-  Elements ComponentData::* list = nullptr;  ///< nullptr: the specification
-  std::size_t entry = 0;                     ///< of the list
+  Elements ComponentData::* list = nullptr;  ///< list of elements; nullptr for the specification
+  std::size_t entry = 0;                     ///< index in the list
   std::string key = {};                      ///< name of the parameter
-  std::size_t position = 0;                  ///< in a list of numbers; 0 for a single one
+  std::size_t position = 0;                  ///< index in a list of numbers; 0 for a single number
 
-  /// Sets the value in the data. Must not be called for calculated parameters.
+  /// Sets the value in the data. The parameter must not be a calculated one.
   void put(ComponentData& data, double value) const;
 };
 
-/// One variable; all are real numbers.
+/// One variable, which is a real number.
 struct Variable {
   std::string name;
   std::string unit;  ///< in UDUNITS spelling, "1" for none
   std::string description;
   Causality causality = Causality::parameter;
   std::optional<double> start = {};  ///< of inputs and parameters
-  element::Range range = {};         ///< FMI has no open ends; the description states them
+  element::Range range = {};         ///< may have open ends, which FMI lacks; the description states them
   Place place = {};                  ///< of parameters
 };
 
-/// All variables of one component. Parameters are in the order: specification, elements of the model if they are
-/// listed, added elements, shifts with temperature; then the calculated ones.
+/// All variables of one component. The parameters have this order: specification, listed elements of the model, added
+/// elements, temperature shifts, calculated parameters.
 class VariableTable {
  public:
   /// Throws std::invalid_argument if the specification has no solution.
@@ -60,13 +60,14 @@ class VariableTable {
 
   const std::vector<Variable>& variables() const { return variables_; }
 
-  /// Returns the reference of the temperature; without a shift with temperature it exceeds those of all variables.
+  /// Returns the reference of the temperature, which exceeds the references of all variables if there is no temperature
+  /// shift.
   Reference temperature() const { return temperature_; }
 
   Reference firstOutput() const { return first_output_; }
   Reference firstParameter() const { return first_parameter_; }
 
-  /// Returns the values in the data of the parameters that can be set.
+  /// Returns the values that the data contain for the parameters that can be set.
   std::vector<double> startValues() const;
 
   /// Returns the values of the calculated parameters for these elements. Throws std::invalid_argument if they are not
