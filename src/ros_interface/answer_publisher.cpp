@@ -1,4 +1,4 @@
-// A publisher that does not lose bursts and counts messages lost by slow subscribers.
+// A publisher that loses no message of a burst, and counts the messages that slow subscribers lose.
 #include "ros_interface/answer_publisher.h"
 
 #include <ros/init.h>
@@ -19,9 +19,9 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Follows the turns of roscpp's network thread; one object per process. In each turn the thread first passes all
-/// published messages to the queues of the subscribers, where a full queue drops its oldest message, and then reads and
-/// writes the sockets.
+/// Follows the turns of roscpp's network thread. There is at most one object per process. In each turn the thread first
+/// passes all published messages to the queues of the subscribers, where a full queue drops its oldest message, and
+/// then reads and writes the sockets.
 class NetworkTurns {
  public:
   static std::shared_ptr<NetworkTurns> get() {
@@ -35,25 +35,25 @@ class NetworkTurns {
     return result;
   }
 
-  // roscpp's own listener, which passes the messages on, was added earlier and is called first.
+  // roscpp's own listener passes the messages on. It was added earlier, so it is called first.
   NetworkTurns() : listener_(ros::PollManager::instance()->addPollThreadListener([this] { end(); })) {}
   ~NetworkTurns() { ros::PollManager::instance()->removePollThreadListener(listener_); }
 
-  // Called by the network thread.
+  // The network thread calls this.
   void add(const boost::shared_ptr<AnswerLink>& link) { links_.push_back(link); }
 
  private:
   void end();
 
-  std::vector<boost::shared_ptr<AnswerLink>> links_;  // with messages in this turn
+  std::vector<boost::shared_ptr<AnswerLink>> links_;  // links that have passed on messages in this turn
   boost::signals2::connection listener_;
 };
 
-/// The first subscriber of a topic: observes each message before the others, and receives none.
+/// The first subscriber of a topic. roscpp offers it each message before all others, and it takes none.
 class AnswerLink : public ros::SubscriberLink {
  public:
   AnswerLink(const ros::PublicationPtr& publication, std::uint32_t queue_size)
-      // At most half of a queue in one turn, so that an empty queue has room for two turns.
+      // One turn may pass on half of a queue, so that an empty queue has room for two turns.
       : most_ahead_(queue_size / 2), losses_(queue_size) {
     parent_ = publication;
     topic_ = publication->getName();
@@ -69,15 +69,15 @@ class AnswerLink : public ros::SubscriberLink {
     ++handed_over_;
   }
 
-  // Called by the network thread before it writes sockets, so only a full queue can have released a message.
+  // The network thread calls this before it writes sockets, so only a full queue can have released a message.
   void endTurn() {
     undelivered += losses_.end() ? 1 : 0;
     in_turn_ = false;
     wake();
   }
 
-  // Waits until the network thread has passed on enough messages or ends. Its end is not signalled, so the wait polls
-  // for it.
+  // Waits until the network thread has passed on enough messages or ends. Nothing signals the end of the thread, so the
+  // wait polls for it.
   void waitForRoom() {
     constexpr std::chrono::milliseconds kLook(10);
     const auto may_go_on = [&] { return published - handed_over_ < most_ahead_ || stopped_ || ros::isShuttingDown(); };
@@ -104,7 +104,7 @@ class AnswerLink : public ros::SubscriberLink {
   std::atomic<std::uint64_t> undelivered{0};
 
  private:
-  // The lock prevents a change between the check of the condition and the wait.
+  // Wakes waitForRoom(). The lock prevents a change between its check of the condition and its wait.
   void wake() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -119,17 +119,18 @@ class AnswerLink : public ros::SubscriberLink {
   std::mutex mutex_;
   std::condition_variable room_;
   node::LossCount losses_;  // used by the network thread only
-  bool in_turn_ = false;    // likewise
+  bool in_turn_ = false;    // used by the network thread only
 };
 
 void NetworkTurns::end() {
-  const auto links = std::exchange(links_, {});  // the destructor of the last one may destroy this object
+  const auto links = std::exchange(links_, {});  // the destructor of the last link may destroy this object
   for (const auto& link : links) {
     link->endTurn();
   }
 }
 
-// Advertises the topic again if a subscriber connected before the link was added, because its losses would be missed.
+// Advertises the topic. Does so again if a subscriber connected before the link, whose losses would be missed
+// otherwise.
 void AnswerPublisher::advertise(ros::NodeHandle& handle, ros::AdvertiseOptions& options) {
   int attempts = 0;
   do {

@@ -1,5 +1,5 @@
-// A publisher that does not lose bursts and counts messages lost by slow subscribers; roscpp's own publisher drops them
-// silently.
+// A publisher that loses no message of a burst, and counts the messages that slow subscribers lose. roscpp's own
+// publisher drops such messages silently.
 #pragma once
 
 #include <ros/advertise_options.h>
@@ -13,8 +13,8 @@ namespace rubber_suspension::ros_interface {
 
 class AnswerLink;
 
-/// Publishes from one thread at a time. A burst waits here for roscpp's network thread instead of overrunning the queue
-/// of a subscriber, so that a subscriber that keeps reading receives every message.
+/// Publishes from one thread at a time. If messages come in a burst, publish() waits for roscpp's network thread, so
+/// that the queue of a subscriber does not overflow. So a subscriber that keeps reading receives every message.
 class AnswerPublisher {
  public:
   AnswerPublisher() = default;
@@ -22,7 +22,7 @@ class AnswerPublisher {
   AnswerPublisher(const AnswerPublisher&) = delete;
   AnswerPublisher& operator=(const AnswerPublisher&) = delete;
 
-  /// `queue_size`: messages that may wait for each subscriber before the oldest is lost, at least 2.
+  /// `queue_size`, at least 2, is the number of messages that may wait for each subscriber before the oldest is lost.
   template <class Message>
   void advertise(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size) {
     ros::AdvertiseOptions options;
@@ -30,7 +30,7 @@ class AnswerPublisher {
     advertise(handle, options);
   }
 
-  /// Publishes a message, which must not be changed while others hold it.
+  /// Publishes a message, which must not be changed while others have a pointer to it.
   template <class Message>
   void publish(const boost::shared_ptr<Message>& message) {
     ros::SerializedMessage unserialized;  // for subscribers in this process
@@ -40,7 +40,7 @@ class AnswerPublisher {
   }
 
   /// Returns the number of messages that at least one subscriber lost because its queue was full. Messages that a
-  /// subscriber had not read when it left are not counted.
+  /// subscriber had not read when it disconnected are not counted.
   std::uint64_t undelivered() const;
 
   void shutdown();

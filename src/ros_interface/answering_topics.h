@@ -1,4 +1,4 @@
-// A topic of samples and the topic of its answers, for one component or for bundles of all.
+// A topic of samples and the topic of their answers, for one component or for bundles of all components.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -22,11 +22,11 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Check that returns true if the bytes are a message of the topic.
+/// A function that returns true if the bytes are a message of the topic.
 using MessageCheck = std::function<bool(const std::uint8_t* data, std::size_t size)>;
 
-/// Decodes messages that pass the check and counts the others. roscpp alone would allocate any number of entries that a
-/// message claims to have, and log a line for each message that it cannot decode.
+/// Decodes messages that pass the check and counts the other messages. Without the check, roscpp would allocate as many
+/// entries as a message claims to have, and log a line for each message that it cannot decode.
 template <class Message>
 class CheckedCallback : public ros::SubscriptionCallbackHelperT<const ros::MessageEvent<const Message>&> {
  public:
@@ -48,8 +48,8 @@ class CheckedCallback : public ros::SubscriptionCallbackHelperT<const ros::Messa
   std::atomic<std::uint64_t>& refused_;
 };
 
-/// Answers samples in the thread that serves the handle's callback queue. Allocates nothing of its own once its
-/// messages exist, and waits only while more answers than half a queue wait for the network thread.
+/// Answers samples in the thread that serves the handle's callback queue. Allocates nothing itself once its messages
+/// exist. Waits only while answers that fill more than half a queue wait for the network thread.
 class AnsweringTopics {
  public:
   /// Stops receiving samples.
@@ -58,8 +58,12 @@ class AnsweringTopics {
     publisher_.shutdown();
   }
 
-  std::uint64_t undecodable() const { return undecodable_; }  ///< dropped messages that are not of the topic's type
-  std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< lost answers; see AnswerPublisher
+  std::uint64_t undecodable() const {
+    return undecodable_;
+  }  ///< number of messages dropped because they lack the topic's type
+  std::uint64_t undelivered() const {
+    return publisher_.undelivered();
+  }  ///< number of lost answers; see AnswerPublisher
 
  protected:
   /// Passes messages of the topic to `take`. TCP sends them without delay (TCP_NODELAY).
@@ -73,8 +77,9 @@ class AnsweringTopics {
     subscribers_.push_back(handle.subscribe(options));
   }
 
-  /// Answers samples of the topic `in` on the topic `out`. The server provides countLost(number of samples that did not
-  /// arrive); answer(sample, message to fill), which returns false for no answer; countAnswered(message, latency [ns]).
+  /// Answers samples of the topic `in` on the topic `out`. The server has three functions: countLost(number of samples
+  /// that did not arrive), answer(sample, message to fill), which returns false if there is no answer, and
+  /// countAnswered(message, latency [ns]).
   template <class Sample, class Answer, class Server>
   void serve(Server& server, ros::NodeHandle& handle, const std::string& in, std::uint32_t in_size, MessageCheck check,
              const std::string& out, std::uint32_t out_size) {
@@ -84,8 +89,8 @@ class AnsweringTopics {
                           const ros::MessageEvent<const Sample>& event) { answer(server, event, *pool); });
   }
 
-  /// Returns how many answers may wait for a slow subscriber: more than samples may wait on the input, so that the
-  /// answers to accepted samples are not lost.
+  /// Returns how many answers may wait for a slow subscriber. This number exceeds the number of samples that may wait
+  /// on the input, so that the answers to accepted samples are not lost.
   static std::uint32_t answerQueueSize(int queue_size) {
     constexpr std::uint32_t kFewest = 40000;
     return std::max(kFewest, 4 * static_cast<std::uint32_t>(queue_size));
@@ -108,8 +113,8 @@ class AnsweringTopics {
     }
   }
 
-  // Returns the time since the arrival of a message [ns]. ROS stamps arrivals with ros::Time, which may be simulated;
-  // then the time since the start of the callback is returned.
+  // Returns the time since the arrival of a message [ns]. ROS stamps arrivals with ros::Time. If this time is
+  // simulated, the time since the start of the callback is returned instead.
   static std::int64_t sinceArrival(const ros::Time& receipt, Clock::time_point callback) {
     return ros::Time::isSystemTime()
                ? std::max<std::int64_t>(0, (ros::Time::now() - receipt).toNSec())

@@ -12,8 +12,8 @@ namespace rubber_suspension::ros_interface {
 
 namespace {
 
-// Returns the time from one pass of a looped playback to the next [ns]: the duration of the longest log and one of its
-// sampling intervals. It is the same for all components, so that they remain synchronous.
+// Returns the time from one pass of a looped playback to the next [ns], which is the duration of the longest log plus
+// one of its sampling intervals. All components use this time, so that they remain synchronous.
 std::int64_t loopPeriod(const std::vector<BenchTrack>& tracks) {
   std::int64_t longest = 0;
   for (const BenchTrack& track : tracks) {
@@ -66,7 +66,7 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
   last_forces_[track] = result.totals();
   BenchCount& count = counts_[track];
   count.of += log.size();
-  // After ROS was shut down no answer can come, so samples without an answer are not counted as lost.
+  // No answer can come after ROS is shut down, so samples without an answer then do not count as sent.
   count.samples += ros::ok() ? result.sent : result.answered();
   count.answered += result.answered();
   for (const std::uint32_t answers : result.answers) {
@@ -78,7 +78,7 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
   count.complete = result.answered() == log.size();
 }
 
-// Uses a thread per component; each player has a callback queue of its own.
+// Plays all logs once, in a thread per component, since each player has a callback queue of its own.
 void BenchPlayer::playPass(std::size_t pass, bool more_follow) {
   std::vector<std::future<void>> others;
   for (std::size_t track = 1; track < tracks_.size(); ++track) {
@@ -113,7 +113,7 @@ std::vector<BenchCount> BenchPlayer::play(std::size_t passes) {
   try {
     playPasses(passes);
   } catch (...) {
-    closeRecorders();  // keeps the passes that were complete
+    closeRecorders();  // so that the files contain the passes that were complete
     throw;
   }
   closeRecorders();

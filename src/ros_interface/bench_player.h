@@ -18,7 +18,7 @@ struct BenchTrack {
   std::string component;
   log::Log log;
   RecordPaths paths;
-  std::optional<log::PoseLog> poses{};  ///< of six directions, played instead of displacements
+  std::optional<log::PoseLog> poses{};  ///< poses for six directions, played instead of displacements
   std::string wrenches{};               ///< CSV file for the wrenches of the last pass; empty: none
 };
 
@@ -28,28 +28,30 @@ struct BenchCount {
   std::size_t of = 0;          ///< samples that were to be played
   std::size_t samples = 0;     ///< samples that were sent
   std::size_t answered = 0;    ///< samples with at least one force
-  std::size_t repeated = 0;    ///< forces for a sample that had one already
+  std::size_t repeated = 0;    ///< further forces for samples that already had one
   std::size_t unexpected = 0;  ///< forces with unexpected stamps
   std::size_t gaps = 0;        ///< messages of the live gap
   double duration = 0.0;       ///< [s], without the pauses between passes
-  bool complete = true;        ///< true if every sample of the last pass was answered
+  bool complete = true;        ///< true if every sample of the last pass has an answer
 
   bool exactlyOneEach() const { return answered == samples && repeated == 0 && unexpected == 0; }
 };
 
 class BenchPlayer {
  public:
-  /// Opens the files of the records. `options` apply to every component, except for its name. Throws LogError.
+  /// Opens the files of the records. All of `options` except the name apply to every component. Throws LogError.
   BenchPlayer(const ros::NodeHandle& handle, const PlayOptions& options, std::vector<BenchTrack> tracks);
 
   /// Waits for the node. Throws PlayError.
   void connect();
 
-  /// Plays the logs `passes` times; 0: until ROS is shut down. What was played is recorded even if the playback ends
-  /// early. An exception of a player or recorder is passed on after the passes before it are recorded.
+  /// Plays the logs `passes` times, or until ROS is shut down if `passes` is 0. A pass is recorded up to the point
+  /// where the playback ends. If a player or recorder throws, the files of the earlier passes are closed and the
+  /// exception is passed on.
   std::vector<BenchCount> play(std::size_t passes);
 
-  /// Returns the forces of a component in its last pass [N], one for every sample of its log; 0 without an answer.
+  /// Returns the forces of a component in its last pass [N], one for every sample of its log. A force is 0 if there was
+  /// no answer.
   const std::vector<double>& lastForces(std::size_t track) const { return last_forces_[track]; }
 
  private:
@@ -65,7 +67,7 @@ class BenchPlayer {
   std::vector<BenchCount> counts_;
   std::vector<std::vector<double>> last_forces_;
   std::int64_t period_ = 0;
-  std::vector<LogPlayer::Steady::time_point> starts_;  // start of each component's next pass
+  std::vector<LogPlayer::Steady::time_point> starts_;  // when the next pass of each component starts
 };
 
 }  // namespace rubber_suspension::ros_interface

@@ -11,7 +11,7 @@ namespace {
 
 using Channels = std::vector<node::ComponentChannel*>;
 
-// Returns the channel with the i-th name, or the i-th channel if there are no names; nullptr if there is none. Most
+// Returns the channel with the i-th name, or nullptr if there is none. Without names, returns the i-th channel. Most
 // senders name the components in the order of the file, so the i-th channel is tried first.
 node::ComponentChannel* channelOf(const std::vector<std::string>& names, std::size_t i, const Channels& channels) {
   if (names.empty() || (i < channels.size() && channels[i]->name() == names[i])) {
@@ -39,9 +39,9 @@ bool isWellFormed(const Bundle& bundle, const Channels& channels) {
   return true;
 }
 
-constexpr std::uint32_t kFewestBundles = 16;  // smallest number that may wait, unless the queue is shorter
+constexpr std::uint32_t kFewestBundles = 16;  // at least this number of bundles may wait, unless the queue is shorter
 
-// Limits the number of bundles that may wait by their total size, which grows with the number of components.
+// Returns how many bundles may wait. Their total size is limited, since it grows with the number of components.
 std::uint32_t fewerOf(std::uint32_t queue_size, std::size_t components, std::size_t numbers) {
   constexpr std::size_t kMostBytes = 64 * 1024 * 1024;
   const std::size_t fitting = kMostBytes / node::longestBundle(components, numbers);
@@ -145,7 +145,8 @@ template <class Bundle, class Answer>
 bool BundleServer::answer(const Bundle& bundle, Answer& message) {
   const bool well_formed = answerBundle(bundle, group_, message);
   malformed_ += well_formed ? 0 : 1;
-  return well_formed && !message.components.empty();  // otherwise every component dropped and counted its sample
+  return well_formed &&
+         !message.components.empty();  // if it is empty, every component has dropped and counted its sample
 }
 
 template <class Answer>

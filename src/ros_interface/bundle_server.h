@@ -1,5 +1,5 @@
-// Server of the bundled topics, which have all components in one message: `displacements` and `forces`, or `poses` and
-// `wrenches`.
+// Server of the bundled topics, whose messages concern all components at once: `displacements` and `forces`, or `poses`
+// and `wrenches`.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -18,21 +18,22 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Answers a bundle: a force for every displacement, or a wrench for every pose, that its component accepts. Returns
-/// false, without effect on any component, if the message is malformed: an unknown name, or lists of unequal length.
-/// Operations on all components wait meanwhile. Allocates nothing if `answer` had as many components before.
+/// Answers a bundle with a force for every displacement, or a wrench for every pose, that its component accepts. A
+/// message with an unknown name or with lists of unequal length is malformed: it returns false and changes no
+/// component. Operations on all components wait until this function returns. It allocates nothing if `answer` had as
+/// many components before.
 bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer);
 bool answerBundle(const PoseArray& bundle, const node::ChannelGroup& group, WrenchArray& answer);
 
-/// Serves the two bundled topics by the components that also serve the single topics.
+/// Serves the two bundled topics with the components that also serve the single topics.
 class BundleServer : public AnsweringTopics {
  public:
   /// The group must outlive the server.
   BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size, bool six_directions);
 
   std::uint64_t answered() const { return answered_; }    ///< messages
-  std::uint64_t malformed() const { return malformed_; }  ///< messages dropped: unknown names, lists of unequal length
-  std::uint64_t lost() const { return lost_; }  ///< messages that were sent but never arrived, as for single samples
+  std::uint64_t malformed() const { return malformed_; }  ///< number of malformed messages
+  std::uint64_t lost() const { return lost_; }            ///< number of messages that were sent but never arrived
 
  private:
   friend AnsweringTopics;

@@ -33,7 +33,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) {
 }
 
 ChildProcess::~ChildProcess() {
-  constexpr int kTurns = 500;  // of 10 ms
+  constexpr int kTurns = 500;  // each of 10 ms
   for (int turn = 0; running(); ++turn) {
     if (turn == 0 || turn == kTurns) {
       kill(id_, turn == 0 ? SIGINT : SIGKILL);

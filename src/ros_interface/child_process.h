@@ -1,4 +1,4 @@
-// Child processes, by which a benchmark and tests start a master and nodes.
+// Child processes, with which a benchmark and tests start a master and nodes.
 #pragma once
 
 #include <sys/types.h>
@@ -11,9 +11,9 @@ namespace rubber_suspension::ros_interface {
 /// A child process that ends with this object.
 class ChildProcess {
  public:
-  /// Starts a program, found on PATH, with its arguments, without a shell. Throws std::runtime_error.
+  /// Starts a program that is on PATH, with its arguments and without a shell. Throws std::runtime_error.
   explicit ChildProcess(const std::vector<std::string>& command);
-  /// Asks the program to end (SIGINT), and kills it if it does not end within 5 s.
+  /// Asks the program to end (SIGINT) and kills it if it still runs after 5 s.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -25,7 +25,7 @@ class ChildProcess {
   pid_t id_ = -1;
 };
 
-/// Returns the path of a program in the folder of the running one.
+/// Returns the path of a program in the folder of the running program.
 std::string siblingProgram(const std::string& name);
 
 /// Returns a free TCP port of the loopback interface. Throws std::runtime_error.

@@ -32,20 +32,21 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Returns the arguments of the process; empty in a nodelet.
+// Returns the arguments of the process, which are unknown and empty in a nodelet.
 std::vector<std::string>& processArguments() {
   static std::vector<std::string> arguments;
   return arguments;
 }
 
-// Returns the name of the private parameter that an argument sets; empty for any other argument.
+// Returns the name of the private parameter that an argument sets, or an empty text for any other argument.
 std::string privateParameterOf(const std::string& argument) {
   const std::size_t end = argument.find(":=");
   const bool is_private = end != std::string::npos && argument[0] == '_' && argument.compare(0, 2, "__") != 0;
   return is_private ? argument.substr(1, end - 1) : "";
 }
 
-// Returns the address of the master by roscpp's rules. Throws if it is malformed, where roscpp would end the process.
+// Returns the address of the master, found as roscpp does. Throws if it is malformed; roscpp would end the process
+// instead.
 std::string masterUri(const std::vector<std::string>& arguments) {
   const std::string option = "__master:=";
   const char* const from_environment = std::getenv("ROS_MASTER_URI");
@@ -98,7 +99,8 @@ namespace {
 
 void requestEnd(int /*signal*/) { ros::requestShutdown(); }
 
-// roscpp handles only SIGINT. Service managers send SIGTERM, closed terminals SIGHUP, which nohup ignores.
+// Handles SIGTERM of service managers and SIGHUP of closed terminals, since roscpp handles only SIGINT. If SIGHUP is
+// ignored, as under nohup, it remains so.
 void endLikeAtInterrupt() {
   for (const int number : {SIGTERM, SIGHUP}) {
     if (std::signal(number, requestEnd) == SIG_IGN) {
@@ -109,10 +111,10 @@ void endLikeAtInterrupt() {
 
 }  // namespace
 
-// roscpp alone would wait for the master without a limit, and signals could not end the wait.
+// Waits for the master with a limit and until a signal comes; roscpp alone would do neither.
 bool RosCommandLine::waitForMaster(double timeout) const {
   constexpr double kTurn = 1.0;      // [s]
-  constexpr double kPatience = 2.0;  // until a message is printed [s]
+  constexpr double kPatience = 2.0;  // time until a message is printed [s]
   const std::string uri = masterUri(all_);
   const auto begin = std::chrono::steady_clock::now();
   for (bool said = false; !isEnding();) {

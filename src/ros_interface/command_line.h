@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Splits a command line without contact to a master, so that --help and --version work anywhere.
+/// Splits a command line. This needs no master, so that --help and --version work anywhere.
 class RosCommandLine {
  public:
   RosCommandLine(int argc, char** argv);
@@ -21,13 +21,13 @@ class RosCommandLine {
   char** argv() { return pointers_.data(); }
 
   /// Waits for the master and initialises ROS with its arguments and `options` (ros::init_options). Returns false if
-  /// the process is to end before. Throws std::runtime_error if the arguments or the master's address are malformed, or
-  /// no master answers within `timeout` [s].
+  /// the process is to end before the master answers. Throws std::runtime_error if the arguments or the master's
+  /// address are malformed, or no master answers within `timeout` [s].
   bool initialise(const std::string& node_name, std::uint32_t options = 0,
                   double timeout = std::numeric_limits<double>::infinity());
 
-  /// Deletes the private parameters that the arguments have set (_NAME:=VALUE) from the master, where they would
-  /// otherwise apply to the next process of this name. The destructor does so, too, if the master still answers.
+  /// Deletes from the master the private parameters that the arguments have set (_NAME:=VALUE). Otherwise they would
+  /// apply to the next process of this name. The destructor also deletes them if the master still answers.
   void takeOffParameters();
 
  private:
@@ -39,7 +39,7 @@ class RosCommandLine {
   std::vector<char*> pointers_;
 };
 
-/// Returns the source of a private parameter's value, such as "the argument _NAME".
+/// Returns where the value of a private parameter comes from, such as "the argument _NAME".
 std::string originOfParameter(const std::string& name);
 
 }  // namespace rubber_suspension::ros_interface

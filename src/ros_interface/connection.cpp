@@ -20,7 +20,7 @@ using XmlRpc::XmlRpcValue;
 
 constexpr double kAnswerLimit = 5.0;  // [s]
 
-// Returns the value in the answer to a call. Throws XmlRpcException if there is none.
+// Returns the value in the answer to a call. Throws XmlRpcException if no answer comes.
 XmlRpcValue ask(const std::string& uri, const std::string& method, const std::vector<std::string>& arguments = {}) {
   const auto answer = call(kAnswerLimit, uri, method, callArguments(arguments));
   if (!answer) {
@@ -29,7 +29,7 @@ XmlRpcValue ask(const std::string& uri, const std::string& method, const std::ve
   return (*answer)[2];
 }
 
-// Returns all advertised topics with their publishers; none if the master does not answer.
+// Returns all advertised topics with their publishers, or an empty map if the master does not answer.
 Registered publishedTopics() {
   const auto names = registeredNames(kAnswerLimit);
   return names ? names->front() : Registered();

@@ -74,7 +74,7 @@ std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceRefe
     return std::nullopt;
   }
   log::Log with_reference = log;
-  if (reference.force != log.force) {  // a simulated force is known at each sample
+  if (reference.force != log.force) {  // the reference is simulated, so it has a force at each sample
     with_reference.force = reference.force;
     with_reference.counts.clear();
   }

@@ -1,5 +1,5 @@
-// Comparison of the forces of a bench with a reference, and its report in the XML format of GoogleTest, which rostest
-// and rosunit read.
+// Comparison of the forces of a bench with a reference. The report has the XML format of GoogleTest, which rostest and
+// rosunit read.
 #pragma once
 
 #include <optional>
@@ -18,15 +18,15 @@ namespace rubber_suspension::ros_interface {
 struct TestCase {
   std::string name;  ///< one word
   bool passed = false;
-  std::string message;    ///< the result with its numbers, or the reason of a failure
+  std::string message;    ///< the numbers of the result, or the reason of a failure
   double duration = 0.0;  ///< [s]
 };
 
-/// Returns the report of one suite as XML.
+/// Returns the report of one test suite as XML.
 std::string testReportXml(const std::string& suite, const std::vector<TestCase>& cases);
 
-/// Returns the path in an option of the form that rostest passes to its tests, `xml:PATH`. Throws
-/// std::invalid_argument, which states what is accepted.
+/// Returns the path from an option `xml:PATH`, which rostest passes to its tests. Throws std::invalid_argument, which
+/// states the accepted form.
 std::string testReportPath(const std::string& gtest_output);
 
 /// Writes the report. Throws std::runtime_error.
@@ -41,15 +41,17 @@ struct ForceReference {
 /// Returns the measured force of the log. Throws std::invalid_argument if it has none.
 ForceReference measuredReference(const log::Log& log);
 
-/// Returns the force that a new component of the file has for the log, simulated offline. Throws as simulateLog() does.
+/// Returns the force that the component of a component file has for the log, simulated offline. Throws as simulateLog()
+/// does.
 ForceReference simulatedReference(const component::Component& component, const log::Log& log,
                                   const std::string& config);
 
 /// Checks that every sample of the log had exactly one force.
 TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result);
 
-/// Compares the bench's forces with the reference, without the first `skip` seconds of the log; nullopt if a force is
-/// missing. Throws std::invalid_argument if no samples remain or the reference is constant there.
+/// Compares the bench's forces with the reference, without the first `skip` seconds of the log. Returns nullopt if a
+/// force is missing. Throws std::invalid_argument if no samples remain or the reference is constant over the remaining
+/// samples.
 std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceReference& reference,
                                             const PlayResult& result, double skip);
 
@@ -57,7 +59,8 @@ std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceRefe
 TestCase checkForces(const log::Log& log, const ForceReference& reference, const PlayResult& result,
                      const std::optional<gap::Agreement>& agreement, double tolerance);
 
-/// Returns a figure of both forces over time and displacement, and of their difference. Every sample must have a force.
+/// Returns a figure of the force of the bench and the reference force over time and displacement, and of their
+/// difference. Every sample must have a force.
 io::Figure forceFigure(const std::string& component, const log::Log& log, const ForceReference& reference,
                        const PlayResult& result);
 

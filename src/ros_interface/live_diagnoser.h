@@ -1,4 +1,5 @@
-// Interface of the live diagnosis, which the node loads on request, because nothing else in the node needs its fits.
+// Interface of the live diagnosis. The node loads its library on request only, because nothing else in the node needs
+// fits.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -16,7 +17,8 @@ struct LiveDiagnoserSettings {
   int nice = 19;        ///< niceness of the thread
 };
 
-/// Diagnoses the samples that the channels store, in a thread of its own, for which no other thread waits.
+/// Diagnoses the samples that the channels store. It uses a thread of its own, and no other thread waits for this
+/// thread.
 class LiveDiagnoser {
  public:
   virtual ~LiveDiagnoser() = default;
@@ -24,15 +26,16 @@ class LiveDiagnoser {
   /// Ends the thread and cancels a running diagnosis. The last findings remain available.
   virtual void stop() = 0;
 
-  /// Returns a component's model with the effects found. Throws std::invalid_argument that states why there is none.
+  /// Returns a component's model with the effects that were found. Throws std::invalid_argument, which states the
+  /// reason, if there is no such model.
   virtual io::ComponentDescription found(const std::string& component) const = 0;
 
-  /// Writes the findings on a component, as of the last turn of the thread.
+  /// Writes the latest findings on a component.
   virtual void fillStatus(const std::string& component, diagnostic_updater::DiagnosticStatusWrapper& status) const = 0;
 };
 
 /// Type of the function kLiveDiagnoserMaker in the library of the diagnosis. The channels must outlive the object that
-/// it returns. Throws std::invalid_argument if a component has no solution.
+/// the function returns. It throws std::invalid_argument if the specification of a component has no solution.
 using MakeLiveDiagnoser = LiveDiagnoser*(ros::NodeHandle&, const std::vector<node::ComponentChannel*>&,
                                          const LiveDiagnoserSettings&);
 constexpr const char* kLiveDiagnoserMaker = "rubber_suspension_make_live_diagnoser";

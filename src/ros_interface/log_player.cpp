@@ -34,7 +34,7 @@ std::chrono::steady_clock::duration toDuration(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-// Returns the numbers of an answer: a force and its parts, or a wrench.
+// Returns the numbers of an answer: a force with its parts, or a wrench.
 std::array<double, 6> numbersOf(const Force& answer) {
   return {answer.force, answer.elastic, answer.viscous, answer.friction};
 }
@@ -100,16 +100,16 @@ bool LogPlayer::isConnected(double patience) {
          hearsMeasured(patience);
 }
 
-// Waits for subscribers of the measured force, so that they do not lose the first messages. A node may have none.
+// Waits for subscribers of the measured force, so that they do not lose its first messages. A node need not subscribe.
 bool LogPlayer::hearsMeasured(double patience) {
-  constexpr double kUnasked = 2.0;  // [s]; the node subscribes to it right after the displacement
+  constexpr double kUnasked = 2.0;  // [s]; the node subscribes to this topic right after the displacement
   const bool needed = options_.record_gap || options_.listeners > 0;
   const bool heard = waitFor(queue_, needed ? patience : std::min(patience, kUnasked),
                              [this] { return measured_force_publisher_.getNumSubscribers() > options_.listeners; });
   return heard || (!needed && ros::ok());
 }
 
-// Throws if a running node serves other components but not this one, because waiting for it would be of no use.
+// Throws if a running node serves other components but not this one, because it would be useless to wait.
 void LogPlayer::requireServed() const {
   std::vector<std::string> served = servedComponents(handle_.resolveName("forces"));
   if (served.empty() ||
@@ -130,7 +130,7 @@ void LogPlayer::connect() {
     if (waited >= options_.connect_timeout || !ros::ok()) {
       throw PlayError(fmt::format("no node serves {} within {:.3g} s", displacement_publisher_.getTopic(), waited));
     }
-    if (waited >= kPatienceWithOthers) {  // until then, another node with this component may start
+    if (waited >= kPatienceWithOthers) {  // before that, another node with this component may start
       requireServed();
     }
     if (waited > 0.0) {
@@ -186,8 +186,8 @@ bool LogPlayer::maySend() const {
   return result_.sent < log_->size() && result_.sent - answered_ < options_.in_flight && !held;
 }
 
-// Messages of two topics may arrive in any order, so temperatures are sent well before the samples to which they apply,
-// but not more of them than the node stores.
+// Sends temperatures well before the samples to which they apply, because messages of two topics may arrive in any
+// order, but no more temperatures than the node stores.
 void LogPlayer::announceTemperatures() {
   constexpr std::size_t kAhead = 512;
   const auto next = std::lower_bound(temperature_changes_.begin(), temperature_changes_.end(), result_.sent);
@@ -201,7 +201,7 @@ void LogPlayer::announceTemperatures() {
   }
 }
 
-// Sends the first temperatures, which must arrive before the first sample.
+// Sends the first temperatures and waits, because they must arrive before the first sample.
 void LogPlayer::startTemperatures() {
   constexpr double kPatience = 5.0;  // [s]
   constexpr double kArrival = 0.2;   // [s], many times the transfer time of a message
@@ -255,7 +255,8 @@ void LogPlayer::sendPose(std::size_t sample) {
   }
 }
 
-// While the playback is paused or stepped, its time stands still, so that the next sample is due when it continues.
+// Sends all samples that are due. The time of a paused or stepped playback stands still, so that the next sample is due
+// when it continues.
 void LogPlayer::sendWhatIsDue(io::Progress& progress) {
   const bool stepping = options_.control != nullptr && !options_.control->running();
   if (stepping && result_.sent < log_->size()) {
@@ -270,7 +271,7 @@ void LogPlayer::sendWhatIsDue(io::Progress& progress) {
 
 // Receives answers until the next sample is due. Returns false after `answer_timeout` without an answer.
 bool LogPlayer::waitForAnswers() {
-  constexpr double kLongestWait = 0.05;  // [s], until shutdown and control are checked again
+  constexpr double kLongestWait = 0.05;  // time until shutdown and control are checked again [s]
   const bool waits_for_answer = result_.sent > answered_;
   queue_.callAvailable(ros::WallDuration(maySend() ? std::clamp(untilDue(), 0.0, kLongestWait) : kLongestWait));
   const auto now = Steady::now();
@@ -286,8 +287,8 @@ bool LogPlayer::waitForAnswers() {
   return waited <= options_.answer_timeout;
 }
 
-// Waits for surplus answers, which would follow at once, and for the gap up to the last sample, which the node measures
-// once per second.
+// Waits for surplus answers, which would come at once, and for the gap that includes the last sample, which the node
+// measures once per second.
 void LogPlayer::waitForLast() {
   constexpr double kLinger = 0.2;     // [s], many times a round trip
   constexpr double kPatience = 10.0;  // [s]

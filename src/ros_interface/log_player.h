@@ -1,4 +1,4 @@
-// Plays a log through a running node and collects the forces: at a rate, or as fast as the node answers.
+// Plays a log through a running node, at a given rate or as fast as the node answers, and collects the forces.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -25,36 +25,38 @@ namespace rubber_suspension::ros_interface {
 
 struct PlayOptions {
   std::string component;
-  double rate = 0.0;               ///< multiple of the log's own speed; 0: as fast as answers come
-  std::size_t in_flight = 100;     ///< largest number of samples that are sent but not yet answered
-  std::size_t listeners = 0;       ///< subscribers of the measured force to wait for, besides the serving node
-  double connect_timeout = 300.0;  ///< longest wait for the node and the listeners [s]; a busy machine starts slowly
+  double rate = 0.0;            ///< multiple of the original speed; 0: as fast as answers come
+  std::size_t in_flight = 100;  ///< largest number of samples that are sent but not yet answered
+  std::size_t listeners = 0;    ///< number of subscribers of the measured force to wait for, besides the serving node
+  double connect_timeout = 300.0;  ///< longest wait for node and listeners [s]; nodes start slowly on a busy computer
   double answer_timeout = 60.0;    ///< longest wait for an answer [s]
-  bool record_gap = false;         ///< collect the live gap, too
-  std::optional<component::RotationMeasure> rotation;  ///< of logs of poses; nullopt: displacements
-  bool show_progress = true;                           ///< on a terminal
-  PlayControl* control = nullptr;                      ///< pauses and steps the playback; must outlive the player
-  std::function<void(const std::string&)> notify = [](const std::string&) {};  ///< receives messages while waiting
+  bool record_gap = false;         ///< whether to collect the live gap
+  std::optional<component::RotationMeasure>
+      rotation;                    ///< measure of the rotation in logs of poses; nullopt for displacements
+  bool show_progress = true;       ///< whether to show it if there is a terminal
+  PlayControl* control = nullptr;  ///< pauses and steps the playback; must outlive the player
+  std::function<void(const std::string&)> notify = [](const std::string&) {
+  };  ///< called with messages while the player waits
 };
 
 /// The received forces. `force`, `wrench` and `answers` have one entry per sample of the log.
 struct PlayResult {
   std::vector<element::ComponentForce> force;  ///< the first answer to each sample
-  std::array<std::vector<double>, 6> wrench;   ///< likewise for poses [N, N m]
-  std::vector<std::uint32_t> answers;          ///< number of forces of each sample
+  std::array<std::vector<double>, 6> wrench;   ///< the first answer to each pose [N, N m]
+  std::vector<std::uint32_t> answers;          ///< number of answers to each sample
   std::size_t sent = 0;
-  std::int64_t shift = 0;                ///< difference of the headers' stamps and those of the log [ns]
-  std::size_t unexpected = 0;            ///< forces without a sent sample of the same stamp
+  std::int64_t shift = 0;                ///< stamps of the headers minus stamps of the log [ns]
+  std::size_t unexpected = 0;            ///< number of forces whose stamp no sent sample has
   std::vector<GapConstPtr> gaps;         ///< the live gap, in the order of arrival
   std::vector<std::int64_t> gap_stamps;  ///< stamps of `gaps` in the time of the log [ns]
   double duration = 0.0;                 ///< from the first sample to the last answer [s]
 
   std::size_t answered() const;        ///< samples with at least one force
-  bool exactlyOneEach() const;         ///< true if every sample has one force and none was unexpected
+  bool exactlyOneEach() const;         ///< true if every sample has one force and no force was unexpected
   std::vector<double> totals() const;  ///< total force of each sample [N]
 };
 
-/// No node serves the component, or it stopped answering.
+/// Thrown if no node serves the component or the node stops answering.
 class PlayError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -67,18 +69,18 @@ class LogPlayer {
 
   using Steady = std::chrono::steady_clock;
 
-  /// Waits for the node; play() does so, too. Throws PlayError, which lists the components of a running node that does
-  /// not serve this one.
+  /// Waits for the node, as play() also does. Throws PlayError, which lists the components of a running node that does
+  /// not serve this component.
   void connect();
 
-  /// Plays a log that checkLog() accepts, with its first sample at `start` (default: now). With `poses`, the log only
-  /// provides stamps and temperatures. Ends early if ROS is shut down or answers fail to come; the result then has
-  /// samples without an answer. Unless more logs follow, waits for surplus forces and for the gap up to the last
-  /// sample. Throws PlayError.
+  /// Plays a log that checkLog() accepts. The first sample is due at `start` (default: now). With `poses`, the log only
+  /// provides stamps and temperatures. The playback ends early if ROS is shut down or answers fail to come; then the
+  /// result contains samples without an answer. Unless more logs follow, waits for surplus forces and for the gap that
+  /// includes the last sample. Throws PlayError.
   PlayResult play(const log::Log& log, Steady::time_point start = {}, bool more_follow = false,
                   const log::PoseLog* poses = nullptr);
 
-  /// Returns when the first sample of the last log was due, plus the time for which the playback was paused.
+  /// Returns the time at which the first sample of the last log was due, plus the duration of all pauses.
   Steady::time_point start() const { return start_; }
 
  private:
@@ -108,7 +110,7 @@ class LogPlayer {
   ros::Subscriber subscriber_;
   ros::Subscriber gap_subscriber_;
   bool connected_ = false;
-  bool goes_on_ = false;  // true if another log follows, which continues the time of the last
+  bool goes_on_ = false;  // true if another log follows, whose time continues that of this log
 
   const log::Log* log_ = nullptr;
   const log::PoseLog* poses_ = nullptr;
@@ -116,8 +118,8 @@ class LogPlayer {
   PlayResult result_;
   std::optional<std::size_t> not_finite_;  // first sample whose answer is not finite
   std::size_t answered_ = 0;
-  std::size_t stepped_ = 0;                       // samples sent by steps, in all plays
-  std::vector<std::size_t> temperature_changes_;  // samples of the log at which the temperature changes
+  std::size_t stepped_ = 0;                       // number of samples sent by steps in all calls of play()
+  std::vector<std::size_t> temperature_changes_;  // indices of the samples at which the temperature changes
   std::size_t announced_ = 0;                     // number of these changes that were sent
   Steady::time_point start_;                      // see start()
   Steady::time_point last_answer_;

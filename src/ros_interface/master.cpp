@@ -30,7 +30,7 @@ class Client : public XmlRpc::XmlRpcClient {
   using XmlRpcClient::XmlRpcClient;
   ~Client() override { close(); }
 
-  // Returns true if an answer came that is not a fault.
+  // Calls a method and returns true if an answer comes that is not a fault.
   bool callWithin(double limit, const std::string& method, const XmlRpcValue& arguments, XmlRpcValue& answer,
                   const std::atomic<bool>* stop) {
     using Clock = std::chrono::steady_clock;
@@ -52,7 +52,7 @@ class Client : public XmlRpc::XmlRpcClient {
 
 constexpr std::chrono::seconds kPeriod(2);
 constexpr int kDone = 1;        // status of a successful answer
-constexpr double kLimit = 3.0;  // for one call [s]; a master with thousands of topics may be slow
+constexpr double kLimit = 3.0;  // limit of one call [s]; a master with thousands of topics may be slow
 
 std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
@@ -66,14 +66,14 @@ void add(XmlRpcValue& calls, const std::string& method, const std::vector<std::s
   calls[i]["params"] = callArguments(arguments);
 }
 
-// Returns the calls that register all services and topics of this process; nullopt if its topics are not known.
+// Returns the calls that register all services and topics of this process, or nullopt if its topics are not known.
 std::optional<XmlRpcValue> registrations(const std::vector<std::string>& services) {
   XmlRpcValue calls;
   for (const std::string& name : services) {
     add(calls, "registerService", {name, serviceUri(), ownUri()});
   }
   for (const std::string kind : {"Publisher", "Subscriber"}) {
-    // The process lists its topics by its slave API.
+    // The slave API of this process lists its topics.
     const auto topics =
         call(kLimit, ownUri(), kind == "Publisher" ? "getPublications" : "getSubscriptions", callArguments());
     if (!topics) {
@@ -88,7 +88,7 @@ std::optional<XmlRpcValue> registrations(const std::vector<std::string>& service
 
 struct Reply {
   std::optional<XmlRpcValue> answer;
-  bool is_late = false;  // the peer has the whole call, but did not answer it within the limit
+  bool is_late = false;  // true if the peer received the call but did not answer within the limit
 };
 
 Reply callPeer(double limit, const std::string& uri, const std::string& method, const XmlRpcValue& arguments,
@@ -110,15 +110,16 @@ Reply callPeer(double limit, const std::string& uri, const std::string& method, 
   }
 }
 
-// Makes all calls at once; roscpp makes one after the other, which takes seconds for hundreds.
+// Sends all calls to the master at once. roscpp makes one call after the other, which takes seconds for hundreds of
+// calls.
 Reply callMaster(double limit, const XmlRpcValue& calls) {
   XmlRpcValue arguments;
   arguments[0] = calls;
   return callPeer(limit, ros::master::getURI(), "system.multicall", arguments, nullptr);
 }
 
-// Makes the calls, and informs each subscription of the publishers that are already registered, as the master does for
-// later ones. Returns false if a call failed.
+// Makes the calls and informs each subscription of the publishers that are already registered; of later publishers the
+// master informs it. Returns false if a call failed.
 bool registerAll(const XmlRpcValue& calls) {
   const auto answers = callMaster(kLimit, calls).answer;
   bool done = answers && answers->size() == calls.size();
@@ -193,7 +194,7 @@ void RegistrationKeeper::check() {
   const auto calls = registrations(services_());
   incomplete_ = !calls || !registerAll(*calls);
   if (is_ending_()) {
-    leaveMaster(kLimit);  // revokes what was registered while the node was unregistering
+    leaveMaster(kLimit);  // revokes registrations that were made while the node was unregistering
   } else if (!incomplete_) {
     ROS_WARN("the master no longer knew this node; the node registered again");
   }

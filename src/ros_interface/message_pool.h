@@ -1,4 +1,4 @@
-// Messages that are allocated once and reused, so that publishing allocates nothing here.
+// Messages that are allocated once and reused, so that publishing allocates no message.
 #pragma once
 
 #include <boost/make_shared.hpp>
@@ -8,14 +8,15 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Provides messages that nobody else holds. A subscriber in the same process (nodelet) receives the message itself and
-/// may keep it; it is reused only when it has been released. Not thread-safe.
+/// Provides messages to which no one else has a pointer. A subscriber in the same process (nodelet) receives the
+/// message itself and may keep it. The pool reuses a message only when it has been released. Not thread-safe.
 template <class Message>
 class MessagePool {
  public:
   using Pointer = boost::shared_ptr<Message>;
 
-  /// Returns a message that may be written: a new one if all that are tried are held. Stores at most kMaximum messages.
+  /// Returns a message that may be written. It is a new one if kTries stored messages are all in use. The pool stores
+  /// at most kMaximum messages.
   Pointer take() {
     for (std::size_t tried = 0; tried < kTries && tried < messages_.size(); ++tried) {
       next_ = next_ + 1 < messages_.size() ? next_ + 1 : 0;

@@ -22,7 +22,7 @@ using node::ChannelReport;
 constexpr std::size_t kLongestLine = 2000;
 constexpr std::size_t kMostCells = 20;
 
-// A count of a component, with its row on /diagnostics and its words in a warning.
+// A count of faults of a component, with the names that it has on /diagnostics and in a warning.
 struct Fault {
   const char* row;
   const char* words;
@@ -49,7 +49,7 @@ constexpr Fault kFaults[] = {
      &ChannelReport::refused_temperatures},
 };
 
-// Repeated stamps of 0 were never filled in by the sender; the remedy is logged once.
+// Returns the words of a fault. If stamps of 0 are repeated, the sender does not set them; the remedy is then added.
 std::string wordsOf(const Fault& fault, const ChannelReport& before, const ChannelReport& now) {
   if (fault.count != &ChannelReport::repeated || !now.started || now.last_time != 0.0) {
     return fault.words;
@@ -63,7 +63,7 @@ std::string wordsOf(const Fault& fault, const ChannelReport& before, const Chann
   return text;
 }
 
-// Describes the faults of a component between two reports; empty if there are none.
+// Returns a description of the faults of a component between two reports, or an empty text if there are none.
 std::string describeFaults(const ChannelReport& before, const ChannelReport& now) {
   std::string text;
   for (const Fault& fault : kFaults) {
@@ -110,7 +110,7 @@ void fillStatus(const ChannelReport& before, const ChannelReport& now, double el
   }
 }
 
-// Returns false if no force is measured.
+// Adds the counts of measured forces. Returns false if there is no measured force.
 bool addMatches(const node::MatchCounters& counters, DiagnosticStatusWrapper& status) {
   if (counters.matched + counters.unmatched + counters.not_finite == 0) {
     return false;
@@ -121,7 +121,7 @@ bool addMatches(const node::MatchCounters& counters, DiagnosticStatusWrapper& st
   return true;
 }
 
-// The rows begin with the direction, if there are several.
+// Adds the rows of a live gap, which begin with the direction if there are several directions.
 void addGap(const std::string& direction, const node::LiveGap& gap, const node::GapSettings& settings,
             DiagnosticStatusWrapper& status) {
   const std::string of = direction.empty() ? "" : direction + ": ";
@@ -207,7 +207,7 @@ Running runningMessage(const std::string& component, const node::RunningModel& r
 }  // namespace
 
 void fillThreadStatus(const std::string& name, double silence, DiagnosticStatusWrapper& status) {
-  constexpr double kStale = 2.0;  // [s]; a thread takes ten turns a second unless it is blocked
+  constexpr double kStale = 2.0;  // [s]; a thread takes ten turns per second unless it is blocked
   if (silence > kStale) {
     status.summaryf(DiagnosticStatus::STALE, "thread `%s` has not served anything for %.1f s", name.c_str(), silence);
   } else {
@@ -297,7 +297,8 @@ void NodeDiagnostics::watch(const LiveDiagnoser& live, const std::string& compon
                [&live, component](DiagnosticStatusWrapper& status) { live.fillStatus(component, status); });
 }
 
-// Measures the gaps in turn for a fraction of the period, so that with many components each is measured less often.
+// Measures the gaps of the components in turn for a part of the period. With many components, each gap is measured less
+// often than once per period.
 void NodeDiagnostics::updateGaps() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
   for (std::size_t i = 0; i < watched_.size() && std::chrono::steady_clock::now() < end; ++i) {
@@ -351,7 +352,7 @@ void NodeDiagnostics::update() {
   }
 }
 
-// Logs all faults since the last line if there are new ones.
+// Logs all faults since the last line of log if any fault is new.
 void NodeDiagnostics::logFaults(double now) {
   const bool news = std::any_of(watched_.begin(), watched_.end(), [](const Watched& watched) {
     return !describeFaults(watched.before, watched.now).empty();

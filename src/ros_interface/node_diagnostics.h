@@ -1,4 +1,4 @@
-// Diagnostics of the node, once per second: /diagnostics and, if there are faults, a line of log.
+// Diagnostics of the node, once per second: a message on /diagnostics and, if there are faults, a line of log.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -20,20 +20,22 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Writes the status of a serving thread whose last turn was `silence` [s] ago: stale if the thread is blocked.
+/// Writes the status of a serving thread whose last turn was `silence` [s] ago; the status is `stale` if the thread is
+/// blocked.
 void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// Publishes by a wall timer, so that it continues while simulated time stands still.
+/// Publishes the diagnostics. A wall timer triggers them, so that they continue while simulated time stands still.
 class NodeDiagnostics {
  public:
   NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const node::GapSettings& gap_settings);
 
-  /// Reports on a component, the bundled topics or a serving thread. All of these must outlive the object.
+  /// Adds a component, the bundled topics or a serving thread to the diagnostics. The arguments must outlive the
+  /// object.
   void watch(node::ComponentChannel& channel, const SampleServer& server);
   void watch(const BundleServer& bundle, const std::string& name);
   void watch(const ServingThread& thread);
 
-  /// Reports the findings of the live diagnosis on a component.
+  /// Adds the findings of the live diagnosis on a component.
   void watch(const LiveDiagnoser& live, const std::string& component);
 
  private:
@@ -49,13 +51,13 @@ class NodeDiagnostics {
   struct Watched {
     node::ComponentChannel* channel;
     const SampleServer* server;
-    std::vector<Gap> gaps;             // one, or one for each direction that is not free
-    std::optional<Gap> shadow;         // of a second model; for one direction only
+    std::vector<Gap> gaps;             // a single one, or one for each direction that is not free
+    std::optional<Gap> shadow;         // gap of a second model; for components of one direction only
     ros::Publisher running_publisher;  // latched
     node::RunningModel running;
     node::ChannelReport before{};
     node::ChannelReport now{};
-    node::ChannelReport logged{};  // as of the last line of log
+    node::ChannelReport logged{};  // report at the last line of log
     node::MatchCounters matches{};
   };
 
@@ -73,7 +75,7 @@ class NodeDiagnostics {
   std::size_t next_gap_ = 0;  // component whose gap is measured next
   diagnostic_updater::Updater updater_;
   std::chrono::steady_clock::time_point last_update_;
-  double elapsed_ = 1.0;  // between the last two updates [s]
+  double elapsed_ = 1.0;  // time between the last two updates [s]
   ros::WallTimer timer_;
 };
 

@@ -55,7 +55,8 @@ std::string table(bool services) {
   return text;
 }
 
-// Returns the text of the .msg file, without the messages that it contains, which follow a line of equals signs.
+// Returns the text of the .msg file. In the definition, a line of equals signs separates it from the messages that it
+// contains.
 template <class Message>
 std::string definition() {
   std::string text = ros::message_traits::Definition<Message>::value();

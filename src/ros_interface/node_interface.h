@@ -1,5 +1,5 @@
-// Topics, services and parameters of the node `simulate` in one table, from which the reference page is generated and
-// with which a rostest compares a running node.
+// Topics, services and parameters of the node `simulate` in one table. The reference page is generated from this table,
+// and a rostest compares a running node with it.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace rubber_suspension::ros_interface {
 /// A topic or service of the node. In its name COMPONENT stands for the name of each component, DIRECTION for each
 /// direction that is not free (x to rz), and ~ for the name of the node.
 struct InterfaceEntry {
-  /// Topic that the node subscribes to or publishes, or service.
+  /// Kind of entry: a topic that the node subscribes to, a topic that it publishes, or a service.
   enum class Kind { subscribed, published, service };
 
   std::string name;
   std::string type;
   Kind kind;
   std::string documentation;
-  int directions = 0;  ///< exists only for components with 1 or 6 directions; 0: for all
+  int directions = 0;  ///< 1 or 6 if the entry exists only for components with this number of directions; 0 otherwise
 };
 
 const std::vector<InterfaceEntry>& nodeInterface();

@@ -26,7 +26,7 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-// Returns the channel with this name. Throws std::invalid_argument, which lists the names.
+// Returns the channel with this name. Throws std::invalid_argument, which lists all names, if there is none.
 node::ComponentChannel& channelNamed(const std::string& name, const node::ChannelGroup& group) {
   std::vector<std::string> names;
   for (node::ComponentChannel* channel : group.channels()) {
@@ -39,7 +39,7 @@ node::ComponentChannel& channelNamed(const std::string& name, const node::Channe
                                           element::didYouMean(name, names), fmt::join(names, ", ")));
 }
 
-// Returns for every channel the entry with its name. Throws unless both sides have the same names.
+// Returns for every channel the entry with its name. Throws unless entries and channels have the same names.
 template <class Entry>
 std::vector<const Entry*> matchByName(const std::vector<Entry>& entries, std::string Entry::* name,
                                       const node::ChannelGroup& group) {
@@ -97,8 +97,8 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
   advertisePromotions();
 }
 
-// Advertises services of each component for which a model can be promoted, or which has a promoted one from a loaded
-// state.
+// Advertises the services of each component for which a model can be promoted or a loaded state contains a promoted
+// model.
 void NodeServices::advertisePromotions() {
   using std_srvs::Trigger;
   for (node::ComponentChannel* channel : group_.channels()) {

@@ -15,18 +15,18 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Reads the states in `path` and loads each into its channel. Throws node::FileError or std::invalid_argument, without
-/// any change, unless the file has the states of exactly these components.
+/// Reads the states in `path` and loads each state into its channel. Unless the file contains the states of exactly
+/// these components, throws node::FileError or std::invalid_argument and changes nothing.
 void loadStates(const std::string& path, node::ChannelGroup& group);
 
 /// Services ~reset, ~save_state, ~load_state, ~reload (std_srvs/Trigger) and ~set_enabled (std_srvs/SetBool) for all
-/// components, ~reset_component and ~enable_component for one by its name. `COMPONENT/promote` and `COMPONENT/rollback`
-/// exist if a model can be promoted or has been. Services access only files that private parameters of the node name,
-/// so that a caller cannot choose a path.
+/// components, and ~reset_component and ~enable_component for one component by its name. `COMPONENT/promote` and
+/// `COMPONENT/rollback` exist if a model can be promoted or has been promoted. Services access only files that private
+/// parameters of the node name, so that a caller cannot choose a path.
 class NodeServices {
  public:
   /// The group and the live diagnosis, if any, must outlive the object. Throws io::Cancelled if the process is to end
-  /// meanwhile.
+  /// before all services are advertised.
   NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const NodeSettings& settings,
                node::ChannelGroup& group, const LiveDiagnoser* live);
 
@@ -34,7 +34,8 @@ class NodeServices {
   std::vector<std::string> names() const;
 
  private:
-  /// Advertises a service. `action` returns the message of success; an exception provides the message of failure.
+  /// Advertises a service. `action` returns the message of a success. The text of its exception is the message of a
+  /// failure.
   template <class Service, class Action>
   void advertise(ros::NodeHandle& handle, const std::string& name, Action action);
   void advertisePromotions();

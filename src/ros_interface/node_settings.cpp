@@ -24,11 +24,11 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-// A private parameter and the value that it fills.
+// A private parameter and the variable that it sets.
 struct Setting {
   std::string name;
   std::variant<bool*, int*, double*, std::string*> value;
-  double lower;  // smallest integer; a real number must be greater
+  double lower;  // smallest value of an integer; a real number must be greater
   double upper;
   std::string documentation;
 };
@@ -81,7 +81,7 @@ std::string accepted(const Setting& setting) {
   return std::holds_alternative<bool*>(setting.value) ? "true or false" : "text, the path of a file";
 }
 
-// Copies the value if it has exactly this type; returns true if so.
+// Copies the value and returns true if it has exactly this type.
 template <class Value>
 bool take(const XmlRpcValue& given, XmlRpcValue::Type type, Value& value) {
   const bool fits = given.getType() == type;
@@ -91,7 +91,7 @@ bool take(const XmlRpcValue& given, XmlRpcValue::Type type, Value& value) {
   return fits;
 }
 
-// Stores the value in the setting; returns false if it is not accepted.
+// Stores the value in the variable of the setting. Returns false if the value is not accepted.
 bool read(const XmlRpcValue& given, const Setting& setting) {
   if (bool* const* flag = std::get_if<bool*>(&setting.value)) {
     return take(given, XmlRpcValue::TypeBoolean, **flag);
@@ -111,7 +111,7 @@ bool read(const XmlRpcValue& given, const Setting& setting) {
          number <= setting.upper;
 }
 
-// Throws for a parameter in the node's private namespace that is not in the table and that no library reads.
+// Throws for a parameter in the node's private namespace that neither the table contains nor a library reads.
 void refuseUnknown(const ros::NodeHandle& private_handle, const std::vector<Setting>& table) {
   std::vector<std::string> known = {"config_file", "components"};
   for (const Setting& setting : table) {
@@ -132,7 +132,7 @@ void refuseUnknown(const ros::NodeHandle& private_handle, const std::vector<Sett
   }
 }
 
-// Returns names that are taken by the node and its topics and services.
+// Returns the names that the node, its topics and its services use.
 std::set<std::string> reservedNames(const ros::NodeHandle& private_handle) {
   std::set<std::string> names = {"clock", "get_loggers", "parameter_updates", "rosout", "set_logger_level"};
   for (const InterfaceEntry& entry : nodeInterface()) {
@@ -146,7 +146,7 @@ std::set<std::string> reservedNames(const ros::NodeHandle& private_handle) {
   return names;
 }
 
-// Throws for reserved names, and logs warnings about specifications.
+// Throws if a component has a reserved name. Logs warnings about specifications.
 void checkComponents(const std::vector<io::ComponentDescription>& components, const std::string& source,
                      const ros::NodeHandle& private_handle) {
   const std::set<std::string> reserved = reservedNames(private_handle);

@@ -16,7 +16,8 @@ using XmlRpc::XmlRpcValue;
 
 constexpr int kDeepest = 16;
 
-// Converts numbers, but not hexadecimal ones, "nan" and "inf": strtod reads them, a component file does not.
+// Returns a number if the text is one that a component file accepts. strtod also reads hexadecimal numbers, "nan" and
+// "inf", which component files do not accept.
 json ofText(const std::string& text) {
   char* end = nullptr;
   errno = 0;
@@ -24,7 +25,7 @@ json ofText(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos || *end != '\0' || errno != 0) {
     return text;
   }
-  const json whole = json::parse(text, nullptr, false);  // discarded for a spelling that JSON lacks, such as 1.e6
+  const json whole = json::parse(text, nullptr, false);  // not an integer if the spelling is not JSON, such as 1.e6
   return whole.is_number_integer() ? whole : json(number);
 }
 

@@ -1,4 +1,4 @@
-// Parameters of the parameter server as the YAML text that the component file's loader reads.
+// Parameters of the parameter server as YAML text, which the loader of component files reads.
 #pragma once
 
 #include <xmlrpcpp/XmlRpcValue.h>
@@ -7,9 +7,10 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Returns the value as YAML in the style of JSON, with numbers to the last bit. A string that is a number, such as
-/// `3.0e6` from roslaunch, is written as that number; other strings are quoted. Throws std::invalid_argument for types
-/// that a component file cannot contain (dates, binary data) and for nesting deeper than that of any component file.
+/// Returns the value as YAML in the style of JSON. Numbers are exact to the last bit. A string that is a number, such
+/// as `3.0e6` from roslaunch, is written as that number; other strings are quoted. Throws std::invalid_argument for
+/// types that a component file cannot contain (dates, binary data) and for values that are nested more deeply than any
+/// component file.
 std::string toYamlText(const XmlRpc::XmlRpcValue& value);
 
 }  // namespace rubber_suspension::ros_interface

@@ -1,4 +1,4 @@
-// Pauses, steps and resumes a playback, by the services ~pause and ~step or by calls.
+// Pauses, steps and resumes a playback, by means of the services ~pause and ~step or of function calls.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,15 +14,15 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Control shared by the players of all components. Thread-safe.
+/// Control that the players of all components share. Thread-safe.
 class PlayControl {
  public:
-  /// `step`: samples that each component plays per step, at least 1.
+  /// `step`, at least 1, is the number of samples that each component plays per step.
   PlayControl(std::size_t step, bool paused) : step_(step), running_(!paused) {}
 
   bool running() const { return running_; }
 
-  /// Returns how many samples each component may play by steps while the playback is paused, counted from the start.
+  /// Returns the total number of samples, since the start, that each component may play by steps.
   std::size_t granted() const { return granted_; }
 
   void pause(bool paused) { running_ = !paused; }

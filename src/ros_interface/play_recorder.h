@@ -1,4 +1,4 @@
-// Recorder of a playback, pass by pass: forces and gap as CSV, all topics of the component as a bag.
+// Recorder of a playback. It writes the forces and the gap as CSV, and all topics of the component as a bag.
 #pragma once
 
 #include <memory>
@@ -26,14 +26,16 @@ struct RecordPaths {
 /// component's ROS namespace become underscores.
 RecordPaths recordPathsIn(const std::string& folder, const std::string& component);
 
-/// Records a playback. The constructor opens the files, so that it fails before anything is played if they cannot be
-/// written; close() gives them their names. All functions throw std::runtime_error, such as LogError.
+/// Records a playback pass by pass. The constructor opens the files, so that it throws before anything is played if
+/// they cannot be written. close() gives the files their names. All functions throw std::runtime_error, such as
+/// LogError.
 class PlayRecorder {
  public:
   PlayRecorder(const RecordPaths& paths, const std::string& component);
   ~PlayRecorder();
 
-  /// Adds a pass: the answered samples to the CSV file, all that were sent to the bag, and the gaps.
+  /// Adds a pass: answered samples and gaps to their CSV files, and all sent samples with their answers and the gaps to
+  /// the bag.
   void add(const log::Log& log, const PlayResult& result);
   void close();
 

@@ -1,4 +1,4 @@
-// Poses and wrenches between messages and Eigen.
+// Conversion of poses and wrenches between messages and Eigen types.
 #pragma once
 
 #include <geometry_msgs/Pose.h>

@@ -20,7 +20,7 @@
 namespace rubber_suspension::ros_interface {
 namespace {
 
-// Returns the lowest level that a logger writes, by its name for ~set_logger_level.
+// Returns the lowest level that a logger writes, under its name for ~set_logger_level.
 std::string levelOf(const std::string& logger) {
   const std::vector<std::string> levels = {"debug", "info", "warn", "error"};  // as rosconsole numbers them
   std::size_t level = 0;
@@ -42,7 +42,7 @@ bool answer(roscpp::GetLoggers::Request& /*request*/, roscpp::GetLoggers::Respon
 }
 
 bool hasPort(int file, std::uint32_t port) {
-  sockaddr_in6 address{};  // an IPv4 address has its port at the same place
+  sockaddr_in6 address{};  // an IPv4 address stores its port at the same offset
   socklen_t size = sizeof(address);
   return getsockname(file, reinterpret_cast<sockaddr*>(&address), &size) == 0 &&
          (address.sin6_family == AF_INET || address.sin6_family == AF_INET6) && ntohs(address.sin6_port) == port;
@@ -67,7 +67,7 @@ std::vector<std::string> loggerServices() {
   return {ros::this_node::getName() + "/get_loggers", ros::this_node::getName() + "/set_logger_level"};
 }
 
-// roscpp does not expose its sockets, so they are searched for among all open files of this process.
+// Searches for the socket among all open files of this process, because roscpp does not expose it.
 std::string keepSlaveApiToLoopback() {
   const std::string& host = ros::network::getHost();
   if (host != "localhost" && host != "::1" && host.compare(0, 4, "127.") != 0) {

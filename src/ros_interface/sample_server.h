@@ -14,7 +14,6 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Writes the answer to a displacement.
 void fillForce(const Displacement& displacement, const element::ComponentForce& force, Force& message);
 
 class SampleServer : public AnsweringTopics {

@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Executes the callbacks of its queue. Only this thread gets SCHED_FIFO: with all threads of the process at that
-/// priority, a node on one processor could not even shut down.
+/// Executes the callbacks of its queue. Only serving threads get SCHED_FIFO. If all threads of the process had that
+/// priority, a node on a computer with one processor could not even shut down.
 class ServingThread {
  public:
   ServingThread() = default;
@@ -19,13 +19,13 @@ class ServingThread {
 
   ros::CallbackQueue& queue() { return queue_; }
 
-  /// Starts the thread under a name of at most 15 characters; a priority above 0 is its SCHED_FIFO priority. Returns
-  /// why the priority was not set, or an empty text. The thread serves in any case.
+  /// Starts the thread under a name of at most 15 characters. A priority above 0 becomes its SCHED_FIFO priority.
+  /// Returns the reason if the priority could not be set, or an empty text. The thread serves in either case.
   std::string start(const std::string& name, int realtime_priority);
 
   const std::string& name() const { return name_; }
 
-  /// Returns the time since the last turn of the thread [s]; it takes at least ten a second unless it is blocked.
+  /// Returns the time since the last turn of the thread [s], which is about 0.1 s at most unless the thread is blocked.
   double silence() const;
 
   /// Finishes the running callback and ends the thread. Callbacks that wait are discarded.
@@ -43,8 +43,8 @@ class ServingThread {
   std::thread thread_;
 };
 
-/// Keeps all memory of this process resident: present memory at once and later memory from its first access on, so that
-/// memory that is allocated but not used costs nothing. Returns why that failed, or an empty text.
+/// Keeps all memory of this process resident: present memory at once, and later memory from its first access on, so
+/// that allocated but unused memory costs nothing. Returns the reason of a failure, or an empty text.
 std::string lockMemory();
 
 }  // namespace rubber_suspension::ros_interface

@@ -30,8 +30,8 @@ namespace rubber_suspension::ros_interface {
 
 namespace {
 
-// Claims a component, by its resolved name, for a node of this process, as long as the returned pointer exists. Throws
-// std::invalid_argument, which names the node that has already claimed it.
+// Claims a component, given by its resolved name, for a node of this process. The claim lasts as long as the returned
+// pointer exists. Throws std::invalid_argument, which names the other node, if one has already claimed the component.
 std::shared_ptr<const std::string> claim(const std::string& component, const std::string& node) {
   static std::mutex mutex;
   static std::map<std::string, std::weak_ptr<const std::string>> claims;
@@ -46,7 +46,8 @@ std::shared_ptr<const std::string> claim(const std::string& component, const std
   return claimed;
 }
 
-// Loads the library of the diagnosis and starts it. It stays loaded, because its code may run until the process ends.
+// Loads the library of the diagnosis and starts the diagnosis. The library is never unloaded, because its code may run
+// until the process ends.
 std::unique_ptr<LiveDiagnoser> loadLiveDiagnoser(ros::NodeHandle& handle, const node::ChannelGroup& group,
                                                  const LiveDiagnoserSettings& settings) {
   constexpr const char* kLibrary = "librubber_suspension_live.so";
@@ -61,7 +62,7 @@ std::unique_ptr<LiveDiagnoser> loadLiveDiagnoser(ros::NodeHandle& handle, const 
       reinterpret_cast<MakeLiveDiagnoser*>(maker)(handle, group.channels(false), settings));
 }
 
-// Logs why something was refused, or else that it succeeded.
+// Logs the reason of a refusal or, if there is none, the success.
 void tell(const std::string& refusal, const std::string& success) {
   if (!refusal.empty()) {
     ROS_WARN("%s", refusal.c_str());
@@ -70,7 +71,7 @@ void tell(const std::string& refusal, const std::string& success) {
   }
 }
 
-// Unregisters this process in one call; skips roscpp's own calls if that worked or the master is gone.
+// Unregisters this process in one call. If that worked or the master is gone, roscpp's own calls are skipped.
 void leave(RosCommandLine& line) {
   constexpr double kMasterLimit = 0.5;  // [s]
   constexpr double kLeaveLimit = 3.0;   // [s]
@@ -86,9 +87,9 @@ void leave(RosCommandLine& line) {
   }
 }
 
-// Raises the limit of open files for one more node, which needs two connections for each component (displacements and
-// forces), two for bundles, and some files for the master, services and others. Throws std::runtime_error if the hard
-// limit is too low.
+// Raises the limit of open files for one more node. The node needs two connections for each component (displacements
+// and forces), two for bundles, and some files for other purposes, such as the master and services. Throws
+// std::runtime_error if the hard limit is too low.
 void requireOpenFiles(std::size_t components) {
   constexpr std::size_t kBeside = 24;
   std::error_code unknown;
@@ -114,13 +115,13 @@ void requireOpenFiles(std::size_t components) {
 }  // namespace
 
 void runSimulateNode(RosCommandLine& line) {
-  // Return large blocks to the system when they are freed. By default the allocator raises its thresholds after one
+  // Return large blocks to the system when they are freed. By default, the allocator raises its thresholds after one
   // large message and keeps the memory.
   constexpr int kLarge = 256 * 1024;
   mallopt(M_MMAP_THRESHOLD, kLarge);
   mallopt(M_TRIM_THRESHOLD, 2 * kLarge);
   const Termination termination;
-  requireOpenFiles(0);  // without files for itself roscpp waits for ever
+  requireOpenFiles(0);  // roscpp would wait forever if it could open no files
   if (!line.initialise("simulate", ros::init_options::NoSigintHandler)) {
     return;
   }
@@ -134,7 +135,7 @@ void runSimulateNode(RosCommandLine& line) {
   };
   try {
     SimulateNode node(ros::NodeHandle(), ros::NodeHandle("~"), ends_and_leaves);
-    while (!isEnding()) {  // services, timers, diagnostics; ros::spin() would only end with ROS
+    while (!isEnding()) {  // ros::spin() would not end on isEnding()
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
     }
     node.stopRegistering();
@@ -156,9 +157,9 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
     : handle_(handle), private_handle_(private_handle) {
   const io::Cancellable cancellable(is_ending);
   try {
-    loggers_ = takeOverLoggerService();  // first, because a call of roscpp's own ends the process
-    // The first line of log requests this parameter from the master, without a time limit and with all parameters
-    // locked. Request it now, while the master is known to answer.
+    loggers_ = takeOverLoggerService();  // before all else, because roscpp's own service can crash the process
+    // The first line of log requests this parameter without a time limit and with all parameters locked. It is cached
+    // now, while the master is known to answer.
     bool unused = false;
     ros::param::getCached("/rosout_disable_topics_generation", unused);
     settings_ = readNodeSettings(private_handle_);
@@ -181,7 +182,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 SimulateNode::~SimulateNode() {
   registration_.reset();
   if (live_) {
-    live_->stop();  // services and diagnostics may use it until they end
+    live_->stop();  // before its destruction, since services and diagnostics may still use it
   }
   for (auto& server : servers_) {
     server->shutdown();

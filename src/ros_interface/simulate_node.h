@@ -21,20 +21,20 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Runs the program `simulate`: serves until a signal comes or ROS is shut down, then unregisters the node. The process
-/// must return at once after that. Throws as SimulateNode does.
+/// Runs the program `simulate`. It serves until a signal comes or ROS is shut down, and then unregisters the node. The
+/// process must end right after the return. Throws as SimulateNode does.
 void runSimulateNode(RosCommandLine& line);
 
-/// Serves samples in threads of its own; services and diagnostics run on the queue of the handles given.
+/// Serves samples in threads of its own. Services and diagnostics run on the callback queue of the given handles.
 class SimulateNode {
  public:
-  /// Throws std::exception, with one line that states what is wrong, and io::Cancelled if `is_ending`, which is called
-  /// repeatedly, returns true before the node serves. Then nothing remains advertised.
+  /// `is_ending` is called repeatedly. Throws io::Cancelled if it returns true before the node serves, and
+  /// std::exception, with a message of one line, for other errors. After an exception nothing remains advertised.
   SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                const std::function<bool()>& is_ending);
   ~SimulateNode();
 
-  /// Ends the supervision of the registration, after which nothing is registered.
+  /// Ends the supervision of the registration. After that, nothing is registered any more.
   void stopRegistering() { registration_->stop(); }
 
  private:
@@ -50,8 +50,9 @@ class SimulateNode {
   std::unique_ptr<node::ChannelGroup> group_;
   std::vector<std::unique_ptr<ServingThread>> threads_;
   std::vector<std::unique_ptr<SampleServer>> servers_;
-  std::vector<std::unique_ptr<BundleServer>> bundles_;  // of displacements and, where a component has them, of poses
-  std::unique_ptr<LiveDiagnoser> live_;                 // if ~diagnose is true
+  std::vector<std::unique_ptr<BundleServer>>
+      bundles_;                          // servers of displacements and, if a component has six directions, of poses
+  std::unique_ptr<LiveDiagnoser> live_;  // null unless ~diagnose is true
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
   std::shared_ptr<ros::ServiceServer> loggers_;

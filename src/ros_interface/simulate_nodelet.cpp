@@ -1,4 +1,4 @@
-// The node as a nodelet, which exchanges messages with nodelets of the same manager without copies.
+// The node as a nodelet. It exchanges messages with other nodelets of the same manager without copies.
 #include <nodelet/nodelet.h>
 
 #include <memory>

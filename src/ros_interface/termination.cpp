@@ -48,7 +48,7 @@ void Termination::wait() {
     if (came && !signal_came.exchange(true)) {
       end = Clock::now() + std::chrono::seconds(5);
     }
-    if (Clock::now() > end) {  // calls nothing that locks, because the process may hang anywhere
+    if (Clock::now() > end) {  // nothing here may lock, because the process may hang anywhere
       constexpr char kLine[] = "ended without unregistering from the master, because this took longer than 5 s\n";
       (void)!write(STDERR_FILENO, kLine, sizeof(kLine) - 1);
       _exit(1);

@@ -6,13 +6,14 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Returns true once this process is to end, by a signal or because ROS is being shut down. Long work then ends early.
+/// Returns true once this process is to end, after a signal or because ROS is being shut down. Long work checks it and
+/// ends early.
 bool isEnding();
 
-/// From construction on, SIGINT, SIGTERM and SIGHUP only make isEnding() true, so that the main thread can finish its
-/// work, unregister the node and return. If that takes more than 5 s, for example because the master hangs, the process
-/// ends with status 1. Make the object before any thread is started, because threads inherit the signal mask, and give
-/// ROS no handler of its own.
+/// While this object exists, SIGINT, SIGTERM and SIGHUP only make isEnding() return true, so that the main thread can
+/// finish its work, unregister the node and return. If that takes more than 5 s, for example because the master hangs,
+/// the process ends with status 1. Construct the object before any thread starts, because threads inherit the signal
+/// mask, and do not let ROS install its own handler of SIGINT.
 class Termination {
  public:
   Termination();

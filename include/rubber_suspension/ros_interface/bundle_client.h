@@ -16,13 +16,14 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// No node serves the topics, it stopped answering, or it dropped a sample.
+/// Thrown if no node serves the topics, or if the node stops answering or drops a sample.
 class BundleError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Sends and receives in the calling thread, with a callback queue of its own. Several messages may be unanswered.
+/// Sends and receives in the calling thread, with a callback queue of its own. Further messages may be sent before
+/// earlier ones are answered.
 template <class Bundle, class Sample, class Answer>
 class BundleClientOf {
  public:
@@ -31,18 +32,18 @@ class BundleClientOf {
   /// `timeout` [s] bounds every wait.
   BundleClientOf(const ros::NodeHandle& handle, std::vector<std::string> components, double timeout = kPatience);
 
-  /// Waits until both topics are connected, so that no message is lost. Throws BundleError.
+  /// Waits until both topics are connected. Without this, the first messages could be lost. Throws BundleError.
   void connect();
 
   /// Calls a service of type std_srvs/Trigger of the node, such as simulate/reset. Throws BundleError.
   void call(const std::string& service);
 
-  /// Sends the displacements [m] or poses [m], in the order of the components, at a stamp [ns]. Stamps must increase
-  /// and lie within the range of a ROS header (0 to 2^32 s).
+  /// Sends displacements [m] or poses [m], in the order of the components, with a stamp [ns]. Stamps must increase and
+  /// be within the range of a ROS header (0 to 2^32 s).
   void send(std::int64_t stamp, const std::vector<Sample>& samples);
 
   /// Returns the answer to the message that was sent with this stamp [ns]; answers to earlier messages are discarded.
-  /// Throws BundleError if no answer comes in time, or if it lacks a component.
+  /// Throws BundleError if no answer comes in time or the answer lacks a component.
   Answer receive(std::int64_t stamp);
 
  private:
@@ -58,7 +59,7 @@ class BundleClientOf {
 /// Sends displacements of components of one direction and receives forces.
 using BundleClient = BundleClientOf<DisplacementArray, double, ForceArray>;
 
-/// Sends poses of B in A, of components of six directions, and receives wrenches on B.
+/// Sends poses of body B in body A for components of six directions and receives wrenches on B.
 using PoseClient = BundleClientOf<PoseArray, geometry_msgs::Pose, WrenchArray>;
 
 }  // namespace rubber_suspension::ros_interface

@@ -81,7 +81,7 @@ void DiagnosisThread::stop() {
   }
 }
 
-// On Linux each thread has its own niceness.
+// Sets the niceness of this thread alone, which Linux permits.
 void DiagnosisThread::run() {
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), settings_.nice) != 0) {
     ROS_WARN("the priority of the live diagnosis cannot be lowered; it runs at normal priority");
@@ -129,8 +129,8 @@ void DiagnosisThread::tell(Watched& watched) {
   auto found = watched.live->found();
   const diagnosis::live::LiveVerdict& told = watched.findings.now;
   const bool other = told.verdict != findings.now.verdict || told.effects != findings.now.effects;
-  const bool reason =
-      findings.looks == 0 && watched.findings.sentence != findings.sentence;  // why there is no look yet
+  const bool reason = findings.looks == 0 &&
+                      watched.findings.sentence != findings.sentence;  // a new reason why there is no diagnosis yet
   const bool news = other || reason || told.since != findings.now.since || watched.findings.looks != findings.looks;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -171,7 +171,7 @@ void DiagnosisThread::fillStatus(const std::string& component,
   status.add("sentence", findings.sentence);
   status.add("looks", findings.looks);
   status.add("window [s]", findings.window);
-  if (std::isfinite(findings.gap.as_configured)) {  // not before the first look
+  if (std::isfinite(findings.gap.as_configured)) {  // false before the first diagnosis
     status.add("gap as configured", findings.gap.as_configured);
     status.add("gap with what was found", findings.gap.augmented);
     status.add("noise floor", findings.gap.noise_floor);

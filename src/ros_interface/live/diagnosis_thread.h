@@ -1,4 +1,4 @@
-// The live diagnosis of all components in a thread of its own, and its topics: a library that the node loads.
+// The live diagnosis of all components in a thread of its own, with its topics. It is a library that the node loads.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -19,8 +19,8 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Diagnoses all components, one after the other, in one thread. Reads the samples that the channels store, for which
-/// it locks a channel only for a short time.
+/// Diagnoses all components, one after the other, in one thread. To read the samples that a channel stores, it locks
+/// the channel only for a short time.
 class DiagnosisThread final : public LiveDiagnoser {
  public:
   /// The channels must outlive the object.
