@@ -14,8 +14,8 @@ namespace {
 
 std::uint64_t lessOrNothing(std::uint64_t whole, std::uint64_t part) { return whole - std::min(whole, part); }
 
-// Returns the number after a word in a file, or the first number if the word is empty; nullopt if there is none, as for
-// the limit "max".
+// Returns the number after a word in a file, or the first number if the word is empty. Returns nullopt if there is no
+// number, as for the limit "max".
 std::optional<std::uint64_t> numberIn(const std::string& path, const std::string& word = "") {
   std::ifstream file(path);
   std::string read;
@@ -25,7 +25,7 @@ std::optional<std::uint64_t> numberIn(const std::string& path, const std::string
   return file >> value ? std::optional<std::uint64_t>(value) : std::nullopt;
 }
 
-// Files of a control group that contain its limit and its usage.
+// Names of the files in which a control group states its limit and its usage.
 struct GroupFiles {
   const char* limit;
   const char* usage;
@@ -42,8 +42,8 @@ std::uint64_t leftOfGroup(const std::string& folder, const GroupFiles& files) {
   return limit && usage ? lessOrNothing(*limit, lessOrNothing(*usage, reclaimable)) : kUnlimitedMemory;
 }
 
-// Returns the memory left in a group and in all its ancestors. In a container the path may be that of the host, which
-// does not exist there; then only the root of the mount counts.
+// Returns the smallest free memory of a group and its ancestors. In a container the path may be the one of the host,
+// which does not exist in the container. Then only the root of the mount counts.
 std::uint64_t leftOfGroups(const std::string& mount, std::string path, const GroupFiles& files) {
   std::uint64_t left = leftOfGroup(mount, files);
   for (; path.size() > 1; path.erase(path.rfind('/'))) {
@@ -52,7 +52,8 @@ std::uint64_t leftOfGroups(const std::string& mount, std::string path, const Gro
   return left;
 }
 
-// The file has lines "NUMBER:CONTROLLERS:PATH"; CONTROLLERS is empty for version 2.
+// Returns the smallest free memory of the control groups of this process. The file contains lines
+// "NUMBER:CONTROLLERS:PATH", where CONTROLLERS is empty for version 2.
 std::uint64_t leftOfControlGroups(const std::string& root) {
   std::ifstream file(root + "/proc/self/cgroup");
   std::uint64_t left = kUnlimitedMemory;

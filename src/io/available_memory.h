@@ -1,4 +1,4 @@
-// Memory that is available to this process, by the machine, its control groups and its own limit.
+// Memory that is available to this process. The computer, control groups and the limit of the process restrict it.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,10 @@ namespace rubber_suspension::io {
 
 constexpr std::uint64_t kUnlimitedMemory = std::numeric_limits<std::uint64_t>::max();
 
-/// Returns the least [bytes] of the machine's memory that is available without swapping (MemAvailable), of what each
-/// control group of the process has left (version 1 or 2; inactive file cache counts as free), and of the address space
-/// left (RLIMIT_AS); kUnlimitedMemory if none is known. `root` is a prefix of /proc and /sys. Throws nothing.
+/// Returns the smallest of three sizes [bytes], or kUnlimitedMemory if none of them is known: the memory of the
+/// computer that is available without swapping (MemAvailable), the free memory of the control groups of the process
+/// (version 1 or 2; inactive file cache counts as free), and the free address space (RLIMIT_AS). `root` is a prefix of
+/// /proc and /sys. Throws nothing.
 std::uint64_t availableMemory(const std::string& root = "");
 
 }  // namespace rubber_suspension::io

@@ -6,13 +6,14 @@
 
 namespace rubber_suspension::io {
 
-/// The work was cancelled.
+/// Thrown if the work is cancelled.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled, because the process ends") {}
 };
 
-/// While an object exists, checkCancelled() in the same thread calls its `stop`. A nested object hides the outer one.
+/// While an object exists, checkCancelled() in the same thread calls its function `stop`. A nested object replaces the
+/// outer object.
 class Cancellable {
  public:
   explicit Cancellable(std::function<bool()> stop);
@@ -27,8 +28,8 @@ class Cancellable {
   const Cancellable* const outer_;
 };
 
-/// Throws Cancelled if `stop` of this thread's innermost Cancellable returns true. Long work calls this regularly;
-/// without a Cancellable it costs next to nothing.
+/// Throws Cancelled if `stop` of this thread's innermost Cancellable returns true. Long work calls this regularly.
+/// Without a Cancellable the call takes almost no time.
 void checkCancelled();
 
 }  // namespace rubber_suspension::io

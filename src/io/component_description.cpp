@@ -10,7 +10,7 @@
 namespace rubber_suspension::io {
 namespace {
 
-// Returns a preload as a force or as a displacement; converts one to the other by the static curve if necessary.
+// Returns a preload as a force or as a displacement. If necessary, the static curve converts one to the other.
 double preloadAs(bool force, const SixDirectionsDescription& six, component::Direction direction) {
   const std::optional<component::Preload>& preload = six.preload[direction];
   if (!preload || !six.directions[direction]) {

@@ -1,4 +1,4 @@
-// Reader of component files: components of one direction, and of six coupled directions.
+// Reader of component files, for components of one direction and of six coupled directions.
 #include "rubber_suspension/io/component_file.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace {
 
 using element::namesOf;
 
-// Returns the direction that a key names; the key has been checked.
+// Returns the direction that a key names. The key must be valid.
 component::Direction directionOf(const YAML::Node& key) { return *component::directionFromString(key.Scalar()); }
 
 std::vector<std::string> directionNames() {
@@ -62,13 +62,13 @@ class Loader : public SpecificationReader {
   }
 
  private:
-  // Binds a method of this class as the reader of a key.
+  // Returns a function that reads a key by means of a method of this class.
   template <class Method>
   auto by(Method method) {
     return [this, method](const Entry& entry, auto&... target) { return std::invoke(method, this, entry, target...); };
   }
 
-  // Returns a reader of one of some words, whose index is the value of an enumeration.
+  // Returns a function that reads one of these words and returns its index as a value of an enumeration.
   template <class Choice>
   auto oneOf(const std::vector<std::string>& words) {
     return [this, &words](const Entry& entry) { return static_cast<Choice>(loadWord(entry, words)); };
@@ -119,7 +119,7 @@ class Loader : public SpecificationReader {
     return description;
   }
 
-  // Reads the keys in the order of the table, where each key comes after those on which it depends.
+  // Reads the keys in the order of the table, in which each key follows the keys on which it depends.
   ComponentDescription loadSixDirections(const YAML::Node& key, const Entry& entry) {
     using Six = SixDirectionsDescription;
     const std::vector<Key<Six>> keys = {{"coupling", by(&Loader::loadCoupling)},
@@ -152,7 +152,7 @@ class Loader : public SpecificationReader {
     return description;
   }
 
-  // Applies keys common to all directions; a direction's own temperature takes precedence.
+  // Applies keys common to all directions, except for the temperature if a direction has its own.
   void loadOfAll(const Entry& entry, SixDirectionsDescription& six) {
     const Entry temperature = entry["temperature"];
     const Entry effects = entry["excluded_effects"];
@@ -195,7 +195,7 @@ class Loader : public SpecificationReader {
     ComponentDescription description = loadOneDirection(key, content);
     description.name = component_ + "_" + key.Scalar();
     if (rotational_) {
-      description.units.clear();  // shown in SI units if treated as a component of one direction
+      description.units.clear();  // so that rotations are shown in SI units
     }
     place_.clear();
     rotational_ = false;
@@ -212,7 +212,7 @@ class Loader : public SpecificationReader {
     six.arrangement.on_b = frameOf(six.frame_on_b, six.arrangement.measure);
   }
 
-  // Accepts one word for both translations and rotations, or a map.
+  // Accepts one word that is valid for translations and for rotations, or a map.
   void loadCoupling(const Entry& entry, SixDirectionsDescription& six) {
     using Laws = component::SixDirectionsLaws;
     const std::vector<Key<Laws>> keys = {
@@ -265,7 +265,7 @@ class Loader : public SpecificationReader {
     }
   }
 
-  // The unit decides whether the preload is a force or a displacement.
+  // Reads a preload, whose unit determines whether it is a force or a displacement.
   component::Preload loadPreload(const Entry& entry, component::Direction direction) {
     const bool turns = component::isRotation(direction);
     const std::string unit = entry.isText() ? log::unitOfQuantity(entry.text()) : "";
@@ -273,7 +273,7 @@ class Loader : public SpecificationReader {
     try {
       log::UnitConversion(unit, turns ? "rad" : "m");
       preload.is_force = false;
-    } catch (const std::invalid_argument&) {  // then it must be a force
+    } catch (const std::invalid_argument&) {  // the unit must then be a unit of force
       preload.is_force = true;
     }
     if (unit.empty()) {
@@ -347,7 +347,7 @@ class Loader : public SpecificationReader {
     return description;
   }
 
-  // Accepts one number for a symmetric range, or both ends.
+  // Accepts one number for a symmetric range, or two numbers for the lower and the upper end.
   element::Range loadValidDisplacement(const Entry& entry) {
     if (!entry.node.IsSequence()) {
       const double reach = loadNumber(entry, anyNumber("m", element::Range::positive()));

@@ -1,4 +1,4 @@
-// Names and words of component files, shared by reader and writer.
+// Names and words of component files, which reader and writer share.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace rubber_suspension::io {
 
 constexpr std::size_t kMaximumNameLength = 100;
 
-/// A law of the temperature dependence, by its name in the key `temperature`.
+/// A law of the temperature dependence and its name in the key `temperature`.
 struct ShiftLaw {
   std::string name;
   std::string type;  ///< element type of the law
@@ -23,7 +23,8 @@ const std::vector<std::string> kAxes = {"x", "y", "z"};
 
 constexpr const char* kGuess = "guess";  // value of the key `tolerance`
 
-/// Returns true for a letter followed by letters, digits and underscores, of at most kMaximumNameLength characters.
+/// Returns true for a name of at most kMaximumNameLength characters: a letter followed by letters, digits and
+/// underscores.
 bool isBaseName(const std::string& name);
 
 }  // namespace rubber_suspension::io

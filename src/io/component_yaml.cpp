@@ -12,7 +12,7 @@
 namespace rubber_suspension::io {
 namespace {
 
-// Returns the shortest text that reads back as the same number.
+// Returns the shortest text that is read as the same number.
 std::string number(double value) { return fmt::format("{}", value); }
 
 std::string listYaml(const std::vector<double>& values) {
@@ -93,7 +93,8 @@ std::string toleranceYaml(const estimation::SheetTolerance& tolerance) {
                      tolerance.of_all ? shareYaml(*tolerance.of_all) : fmt::format("{{{}}}", log::join(by_key)));
 }
 
-// `added`: elements are added, so the text must state that it describes the base. `turns`: the direction is a rotation.
+// Returns YAML of a specification. If `added` is true, there are added elements, so the text must state that it
+// describes the component without them. `turns` is true for a rotation.
 std::string specificationYaml(const estimation::Specification& specification, bool added, bool turns,
                               const YamlStyle& style) {
   std::string text = "    specification:\n";
@@ -128,7 +129,7 @@ std::string specificationYaml(const estimation::Specification& specification, bo
   return text;
 }
 
-// Writes a component of one direction without its name; `turns`: the direction is a rotation.
+// Returns YAML of a component of one direction without its name. `turns` is true for a rotation.
 std::string oneDirectionYaml(const ComponentDescription& component, bool turns, const YamlStyle& style) {
   std::string text = fmt::format("    model: {}\n", estimation::toString(component.model()));
   text += component.tolerance.of_all ? fmt::format("    tolerance: {}\n", shareYaml(*component.tolerance.of_all)) : "";
@@ -171,7 +172,7 @@ std::string tableYaml(const component::PreloadTable& table) {
                      toString(table.by), log::join(loads), listYaml(table.factor));
 }
 
-// Returns the style for one direction, which adds the prefix of the direction to the places.
+// Returns a style for one direction, which prefixes places with the name of the direction.
 YamlStyle styleOf(component::Direction direction, const YamlStyle& style) {
   const std::string prefix = fmt::format("directions.{}.", toString(direction));
   YamlStyle own;

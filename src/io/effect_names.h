@@ -6,8 +6,8 @@
 
 namespace rubber_suspension::io {
 
-/// Returns the names in alphabetical order. They repeat the candidates of the diagnosis, on which this layer does not
-/// depend; a test compares both lists.
+/// Returns the names in alphabetical order. The list repeats the candidates of the diagnosis, because this layer must
+/// not depend on the diagnosis. A test compares both lists.
 const std::vector<std::string>& effectNames();
 
 }  // namespace rubber_suspension::io

@@ -1,4 +1,4 @@
-// Reader of numbers, elements and temperature laws, driven by the table of laws.
+// Reader of numbers, elements and temperature laws, which uses the table of laws.
 #include "io/element_reader.h"
 
 #include <algorithm>
@@ -20,7 +20,8 @@ using element::namesOf;
 
 constexpr const char* kVertical = "vertical";
 
-// Describes the range of a parameter in the unit that the user wrote, which has the dimension of the parameter.
+// Describes the range of a parameter in the unit that the user wrote. This unit must have the dimension of the
+// parameter.
 std::string acceptedIn(const std::string& unit, const element::ParameterInfo& parameter) {
   if (unit.empty()) {
     return accepted(parameter);
@@ -49,7 +50,7 @@ std::string accepted(const element::ParameterInfo& parameter) {
   const std::string number = bounded ? "a number " + element::describe(range) : element::describe(range);
   const std::string& meaning = parameter.documentation;
   if (parameter.role == element::Role::choice && !meaning.empty() && std::isdigit(meaning.front()) != 0) {
-    return meaning;  // lists the values
+    return meaning;  // the documentation of such a choice lists its values
   }
   if (parameter.unit == "1") {
     return number + (range.upper <= 1.0 ? ", or in %" : "");
@@ -88,7 +89,7 @@ double ElementReader::loadNumber(const Entry& entry, const element::ParameterInf
     refuse(entry,
            fmt::format("{} is a temperature, not a temperature difference; accepted: {}", text, accepted(parameter)));
   }
-  constexpr double kLongestTime = 1e12;  // [s], 30,000 years: steps over a longer time would never end
+  constexpr double kLongestTime = 1e12;  // [s], 30,000 years: stepping through a longer time would never end
   const double most = parameter.unit == "s" ? kLongestTime : element::kLargestNumber;
   if (std::isfinite(value) && std::abs(value) > most) {
     refuse(entry, fmt::format("{} is larger than any component can have; accepted: at most {:g} {}", text, most,

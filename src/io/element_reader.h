@@ -9,40 +9,41 @@ namespace rubber_suspension::io {
 /// Returns the names of the models in the order of estimation::Model.
 std::vector<std::string> modelNames();
 
-/// Describes the accepted values of a parameter: "a number > 0, in N/m, or text with such a unit".
+/// Describes the accepted values of a parameter, as in "a number > 0, in N/m, or text with such a unit".
 std::string accepted(const element::ParameterInfo& parameter);
 
-/// Returns a parameter for a number, or a list of numbers, in this unit, for values that have no row in a table.
+/// Returns a ParameterInfo for a number or a list of numbers in this unit, for values that have no row in a table.
 element::ParameterInfo anyNumber(const std::string& unit, element::Range range = element::Range::any());
 
-/// Reads elements by the table of elements.
+/// Reads elements by means of the table of elements.
 class ElementReader : public YamlReader {
  protected:
   using YamlReader::YamlReader;
 
-  /// Returns a row of a table with the unit that it has in the direction being read.
+  /// Returns a row of a table with the unit that the parameter has in the direction being read.
   element::ParameterInfo here(element::ParameterInfo parameter) const;
 
   double loadNumber(const Entry& entry, const element::ParameterInfo& row);
   std::vector<double> loadNumbers(const Entry& entry, const element::ParameterInfo& parameter);
 
-  /// Reads a share or `guess`; errors list `also` among the accepted values.
+  /// Reads a tolerance, which is a share or the word `guess`. Errors list `also` among the accepted values.
   double loadTolerance(const Entry& entry, const std::string& also = "");
 
   using Tolerances = std::map<std::string, double, std::less<>>;
 
-  /// Reads a list of elements, which may scale along the static curve of `specification`, if given. `tolerances`
-  /// receives those of entries such as "spring[0]"; nullptr: entries must not have any.
+  /// Reads a list of elements. If `specification` is given, elements may scale along its static curve. `tolerances`
+  /// receives the tolerances of entries under names such as "spring[0]". If it is nullptr, entries must not have
+  /// tolerances.
   std::vector<element::ElementDescription> loadElements(const Entry& list,
                                                         const estimation::Specification* specification = nullptr,
                                                         Tolerances* tolerances = nullptr);
 
   element::ElementDescription loadTemperature(const Entry& entry);
 
-  /// Returns true if the entry scales with the static curve.
+  /// Returns true if the entry is `static_curve`, so that the element scales with this curve.
   bool loadScale(const Entry& entry) const { return loadWord(entry, {"static_curve", "none"}) == 0; }
 
-  std::map<std::string, std::string> units_;  ///< units of the component's numbers, by SI unit
+  std::map<std::string, std::string> units_;  ///< the unit that the component uses for each SI unit
   bool rotational_ = false;                   ///< true if the direction being read is a rotation
 
  private:

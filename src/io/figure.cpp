@@ -1,4 +1,4 @@
-// Figures, sent as JSON to scripts/plot_figures, which draws them in a process of its own.
+// Figures, sent as JSON to scripts/plot_figures, which draws them in a separate process.
 #include "rubber_suspension/io/figure.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace rubber_suspension::io {
 
 using nlohmann::json;
 
-// The JSON library finds these by argument-dependent lookup, so they cannot be in the unnamed namespace.
+// The JSON library finds these functions by argument-dependent lookup, so they cannot be in the unnamed namespace.
 static void to_json(json& out, const Curve& curve) {
   out = {{"label", curve.label}, {"x", curve.x},           {"y", curve.y},
          {"style", curve.style}, {"colour", curve.colour}, {"width", curve.width}};
@@ -62,7 +62,7 @@ void addSpreads(Axes& axes, const std::string& label, const std::vector<Spread>&
   Curve markers{label, {}, {}, "o", colour};
   for (std::size_t row = 0; row < values.size(); ++row) {
     const double y = static_cast<double>(row) + offset;
-    const double gap = std::numeric_limits<double>::quiet_NaN();  // breaks the line between two rows
+    const double gap = std::numeric_limits<double>::quiet_NaN();  // leaves a gap in the line between two rows
     lines.x.insert(lines.x.end(), {values[row].lower, values[row].upper, gap});
     lines.y.insert(lines.y.end(), {y, y, gap});
     markers.x.push_back(values[row].median);

@@ -8,13 +8,13 @@
 
 namespace rubber_suspension::io {
 
-/// Locks a folder for this process by an advisory lock (flock), which the system releases when the process ends.
-/// Creates the folder if it is missing; then the destructor, or SIGINT, SIGTERM or SIGHUP, removes it again if it is
-/// empty.
+/// Locks a folder for this process by means of an advisory lock (flock), which the system releases when the process
+/// ends. Creates the folder if it is missing. In this case the destructor, or SIGINT, SIGTERM or SIGHUP, removes the
+/// folder again if it is empty.
 class FolderLock {
  public:
-  /// Throws OutputRefused if another process, or another object in this process, holds the lock; std::runtime_error if
-  /// the folder cannot be created. On a file system without locks nothing is locked.
+  /// Throws OutputRefused if another process, or another object in this process, has locked the folder. Throws
+  /// std::runtime_error if the folder cannot be created. On a file system without locks nothing is locked.
   explicit FolderLock(std::filesystem::path folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

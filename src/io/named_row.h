@@ -13,8 +13,8 @@
 
 namespace rubber_suspension::io {
 
-/// Returns the row whose `name` is `key`. Throws std::invalid_argument with the key, `otherwise` ("not a tolerance of a
-/// rig"), the most similar name and the accepted names.
+/// Returns the row whose `name` is `key`. If there is none, throws std::invalid_argument with the key, the text
+/// `otherwise` (such as "not a tolerance of a rig"), the most similar name and the accepted names.
 template <class Row>
 const Row& namedRow(const std::vector<Row>& table, const std::string& key, const std::string& otherwise) {
   const auto found = std::find_if(table.begin(), table.end(), [&](const Row& row) { return row.name == key; });

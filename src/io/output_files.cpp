@@ -1,4 +1,4 @@
-// Rules for all files that a command or a launch file writes: which existing files may be replaced.
+// Rules that determine which existing files a command or a launch file may replace.
 #include "io/output_files.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using element::refuseIf;
 
-// Compares existing files by identity, and others by name, without case, because a file system may not distinguish
-// upper from lower case.
+// Returns true if both paths lead to one file. Existing files are compared by identity. Other names are compared
+// without case, because some file systems do not distinguish upper from lower case.
 bool areOneFile(const std::string& one, const std::string& other) {
   std::error_code ignored;
   return fs::exists(one, ignored) || fs::exists(other, ignored)
@@ -55,7 +55,7 @@ void refuseOtherKind(const OutputFile& output) {
                           output.option, output.path, output.kind.name);
 }
 
-// Returns true if the folder contains one of the records, or a temporary file to which one is being written.
+// Returns true if the folder contains one of the records, or a temporary file that will become a record.
 bool holdsRecord(const fs::path& folder, const std::vector<std::string>& records) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -69,7 +69,7 @@ bool holdsRecord(const fs::path& folder, const std::vector<std::string>& records
   return false;
 }
 
-// Splits "run_1" into "run_" and 1; "bush" yields "bush_" and 1.
+// Splits a name such as "run_1" into "run_" and 1. A name without a number, such as "bush", yields "bush_" and 1.
 std::pair<std::string, unsigned long> numberedName(const std::string& folder) {
   constexpr std::size_t kMostDigits = 9;
   const std::size_t bar = folder.find_last_of('_');
@@ -79,7 +79,8 @@ std::pair<std::string, unsigned long> numberedName(const std::string& folder) {
   return numbered ? std::pair(folder.substr(0, bar + 1), std::stoul(digits)) : std::pair(folder + "_", 1UL);
 }
 
-// Compares only regular files, because a pipe can be read only once.
+// Returns true if both files have the same content. Only regular files are compared, because a pipe can be read only
+// once.
 bool isCopy(const std::string& one, const std::string& other) {
   std::error_code error;
   if (!fs::is_regular_file(one, error) || !fs::is_regular_file(other, error) ||
@@ -157,7 +158,8 @@ std::string makeRunFolder(const std::string& folder, const std::vector<std::stri
   for (unsigned long next = number + 1;; ++next) {
     std::string path = name + std::to_string(next);
     std::error_code error;
-    if (fs::create_directory(path, error) || (!error && !holdsRecord(path, records))) {  // one run alone creates it
+    if (fs::create_directory(path, error) ||
+        (!error && !holdsRecord(path, records))) {  // only one of several runs succeeds in creating it
       return path;
     }
     refuseIf<std::runtime_error>(error && error != std::errc::file_exists, "{}: cannot be created: {}", path,

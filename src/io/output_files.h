@@ -1,4 +1,4 @@
-// Rules for all files that a command or a launch file writes: which existing files may be replaced.
+// Rules that determine which existing files a command or a launch file may replace.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@ namespace rubber_suspension::io {
 
 /// A kind of file, recognised by its first 64 KiB.
 struct FileKind {
-  std::string_view name;                              ///< with its article, for errors
-  std::array<std::string_view, 4> beginnings = {{}};  ///< the file begins with one of these; none: any beginning
-  std::array<std::string_view, 3> parts = {{}};       ///< its first 64 KiB contain one of these; none: any content
+  std::string_view name;                              ///< name with its article, for error messages
+  std::array<std::string_view, 4> beginnings = {{}};  ///< the file begins with one of these texts, if there are any
+  std::array<std::string_view, 3> parts = {{}};       ///< its first 64 KiB contain one of these texts, if there are any
 };
 
-/// Kinds of files that this package writes. Kinds of JSON are recognised by their schema.
+/// Kinds of files that this package writes. JSON files are recognised by their schema.
 namespace file_kind {
 
 inline constexpr FileKind force_csv = {"a log as this command writes it (time_s,displacement_m,force_N)",
@@ -71,22 +71,22 @@ struct OutputFile {
   FileKind kind;
 };
 
-/// An output would overwrite a file that must not be replaced, or cannot be written. what() is one line.
+/// Thrown if an output would overwrite a file that must not be replaced, or cannot be written. what() is one line.
 class OutputRefused : public std::runtime_error {
  public:
   explicit OutputRefused(const std::string& message) : std::runtime_error(log::oneLine(message)) {}
 };
 
-/// Throws OutputRefused for an output that is also an input, by any name or link; for two outputs that are one file, or
-/// would be on a file system that ignores case; for an output that is a folder, or whose parent is not one; and, unless
-/// `force` is set, for an existing file of another kind. An existing file of the same kind, or an empty file, may be
-/// replaced; devices and pipes are always accepted. An empty path means that the option was not given. Call this before
-/// any input is read.
+/// Throws OutputRefused in these cases: an output is also an input, under any name or link; two outputs are one file,
+/// or would be one on a file system that ignores case; an output is a folder, or its parent is not a folder; or an
+/// output exists and is of another kind, unless `force` is set. An existing file of the same kind, or an empty file,
+/// may be replaced. Devices and pipes are always accepted. An empty path means that the option was not given. Call this
+/// before any input is read.
 void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs, bool force);
 
-/// Throws OutputRefused if two logs of a command are the same file, by any name or link, or identical copies: the same
-/// evidence must not count twice, and a log that was fitted cannot serve as a held-out log. Call this before any input
-/// is read.
+/// Throws OutputRefused if two logs of a command are the same file, under any name or link, or identical copies. The
+/// same evidence must not count twice, and a log that was fitted cannot serve as a held-out log. Call this before any
+/// input is read.
 void refuseEqualLogs(const std::vector<InputFile>& logs);
 
 /// Returns true if the file is of this kind.
@@ -95,9 +95,10 @@ bool isOfKind(const std::string& path, const FileKind& kind);
 /// Creates a folder and its parents; returns true if it did not exist. Throws std::runtime_error.
 bool makeFolder(const std::string& folder);
 
-/// Returns a folder for the records of a run, created if it is missing, so that no earlier run is replaced: `folder`
-/// itself, unless it contains one of the files `records` or one is being written; then the next free number: run_2
-/// after run_1, NAME_2 after NAME. Throws std::runtime_error if the folder cannot be created.
+/// Returns a folder for the records of a run, so that no earlier run is replaced, and creates it if it is missing. It
+/// is `folder` itself, unless this contains one of the files `records` or one of them is being written there. Then it
+/// has the next free number: run_2 after run_1, NAME_2 after NAME. Throws std::runtime_error if the folder cannot be
+/// created.
 std::string makeRunFolder(const std::string& folder, const std::vector<std::string>& records);
 
 }  // namespace rubber_suspension::io

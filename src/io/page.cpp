@@ -1,4 +1,4 @@
-// The pages of reports, drawn by scripts/render_report.
+// The pages of reports, which scripts/render_report draws.
 #include "io/page.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The pages of reports, drawn by scripts/render_report from the files of the report.
+// The pages of reports, which scripts/render_report draws from the files of the report.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@ namespace rubber_suspension::io {
 /// report. Throws std::runtime_error if it cannot be removed.
 void removePage(const std::string& path);
 
-/// Draws the page beside a JSON file: report.html beside report.json, with the pages of its directions, plan.html or
-/// fleet.html. Returns the last line of the script's errors, for example that Jinja2 is missing and no page was drawn;
-/// empty after success.
+/// Draws the page that belongs to a JSON file into the same folder: report.html, with the pages of its directions,
+/// plan.html or fleet.html. Returns the last line of the script's errors, for example that Jinja2 is missing and no
+/// page was drawn, or an empty text after success.
 std::string renderPage(const std::string& json_path);
 
 }  // namespace rubber_suspension::io

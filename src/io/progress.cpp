@@ -54,7 +54,7 @@ void Progress::advance(std::size_t n) {
 
 void Progress::draw(int percent) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (percent == percent_.load()) {  // otherwise another thread has advanced further
+  if (percent == percent_.load()) {  // if not, another thread has advanced further and draws
     showLine(bar(label_, percent, terminalWidth() - 1));
   }
 }

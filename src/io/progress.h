@@ -11,8 +11,8 @@
 
 namespace rubber_suspension::io {
 
-/// Shows on stderr how much of a task is done, if that is a terminal; otherwise does nothing.
-/// advance() may be called from several threads, and for every item: it draws only when the percentage changes.
+/// Shows on stderr how much of a task is done. Does nothing if stderr is not a terminal.
+/// advance() may be called for every item and from several threads, because it draws only when the percentage changes.
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
@@ -36,8 +36,8 @@ class Progress {
   std::mutex mutex_;
 };
 
-/// Shows on stderr, if that is a terminal, what is being done and for how long, once it has lasted a second: for work
-/// of unknown length. Only one may exist at a time, and no Progress meanwhile.
+/// Shows, for work of unknown length, what is being done and for how long. It appears on stderr after one second, if
+/// stderr is a terminal. Only one object may exist at a time, and no Progress at the same time.
 class Activity {
  public:
   explicit Activity(std::string label);

@@ -1,4 +1,4 @@
-// Reference page of the component file, generated from the tables by which files are checked.
+// Reference page of the component file, generated from the tables with which component files are checked.
 #include "io/reference.h"
 
 #include <fmt/format.h>

@@ -13,7 +13,7 @@
 namespace rubber_suspension::io {
 namespace {
 
-constexpr double kMostShare = 0.5;  // of a gain or a clock; with a larger error the channel measures nothing
+constexpr double kMostShare = 0.5;  // limit for a gain or a clock; with a larger error a channel would be useless
 
 std::string acceptedTolerance(const RigToleranceInfo& info) {
   const std::string share = fmt::format("a share of {} in %", info.share_of);

@@ -5,7 +5,8 @@
 
 namespace rubber_suspension::io {
 
-/// Returns the SI unit for rotations that corresponds to one for translations: rad for m, N m for N; else `unit`.
+/// Returns the SI unit of a rotation that corresponds to `unit` of a translation: rad for m, N m for N. Returns any
+/// other unit unchanged.
 std::string rotationalUnit(const std::string& unit);
 
 }  // namespace rubber_suspension::io

@@ -1,4 +1,4 @@
-// Scripts of the package, each run in a process of its own.
+// Scripts of the package, each of which runs in a separate process.
 #include "io/script.h"
 
 #include <dlfcn.h>
@@ -22,8 +22,8 @@ namespace {
 
 using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-// Scripts are installed in the package's folder beside this library. In a build tree that folder has no copies, but a
-// file that contains their path.
+// Returns the path of a script. Scripts are installed in the package's folder beside this library. In a build tree,
+// this folder contains a file with the path of the scripts instead.
 std::string scriptPath(const std::string& name) {
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&scriptPath), &info) == 0) {
@@ -57,7 +57,7 @@ std::string lastLine(std::FILE* file) {
   return start == std::string::npos ? text : text.substr(start + 1);
 }
 
-// Files instead of pipes, so that neither process waits for the other to read.
+// Streams of a script. They are files, because with pipes each process could wait for the other to read.
 struct Streams {
   FilePointer input = temporaryFile();
   FilePointer errors = temporaryFile();

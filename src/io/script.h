@@ -1,4 +1,4 @@
-// Scripts of the package, each run in a process of its own.
+// Scripts of the package, each of which runs in a separate process.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct ScriptResult {
 };
 
 /// Runs a script of the package with arguments and a text on its standard input, and waits for its end. Throws
-/// std::runtime_error if it cannot be run.
+/// std::runtime_error if the script cannot be run.
 ScriptResult runScript(const std::string& name, const std::vector<std::string>& arguments, const std::string& input);
 
 }  // namespace rubber_suspension::io

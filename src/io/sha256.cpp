@@ -1,4 +1,4 @@
-// SHA-256 of files and texts, by OpenSSL.
+// SHA-256 of files and texts, computed by OpenSSL.
 #include "io/sha256.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace {
 
 void require(bool success) { element::refuseIf<std::runtime_error>(!success, "OpenSSL failed to compute SHA-256"); }
 
-// Hashes the pieces that `next` returns one by one, until one is empty.
+// Hashes the pieces that `next` returns one after the other, up to the first empty piece.
 template <class Next>
 std::string hashOf(Next next) {
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);

@@ -1,4 +1,4 @@
-// SHA-256 of files and texts, which identifies the inputs of reports and the inputs and jobs of campaigns.
+// SHA-256 of files and texts. The hash identifies the inputs of reports, and the inputs and jobs of campaigns.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct FileHash {
   std::uint64_t size = 0;  ///< [bytes]
 };
 
-/// Hashes a file piece by piece. Throws std::runtime_error, which begins with the path.
+/// Returns the hash of a file, which is read piece by piece. Throws std::runtime_error, which begins with the path.
 FileHash hashFile(const std::string& path);
 
 }  // namespace rubber_suspension::io

@@ -1,4 +1,4 @@
-// Reader of specifications, driven by the tables of their numbers and of the models.
+// Reader of specifications, which uses the tables of specification keys and models.
 #include "io/specification_reader.h"
 
 #include <algorithm>

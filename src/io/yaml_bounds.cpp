@@ -12,16 +12,16 @@
 namespace rubber_suspension::io {
 namespace {
 
-constexpr int kMaximumNesting = 50;  // a component file needs 6
+constexpr int kMaximumNesting = 50;  // a component file needs a depth of 6
 constexpr int kMaximumIndentation = 200;
-// Largest number of values in a component file of a mebibyte without aliases, at two bytes a value.
+// A component file of one mebibyte without aliases has at most this number of values, at two bytes per value.
 constexpr std::size_t kMaximumValues = 524288;
 
 struct ExpandedTooFar {
   int line;
 };
 
-// Counts values while they are parsed; an alias counts as all values of its anchor.
+// Counts values while they are parsed. An alias counts as many as the values of its anchor.
 class ValueCounter : public YAML::EventHandler {
  public:
   int startOfDocument() const { return start_; }  // line, from 1
@@ -47,7 +47,7 @@ class ValueCounter : public YAML::EventHandler {
  private:
   struct Open {
     YAML::anchor_t anchor;
-    std::size_t before;  // number of values before it
+    std::size_t before;  // number of values before this one
   };
 
   void count(const YAML::Mark& mark, std::size_t values) {
@@ -78,13 +78,14 @@ class ValueCounter : public YAML::EventHandler {
   std::map<YAML::anchor_t, std::size_t> sizes_;  // entry 0, for values without an anchor, is never read
 };
 
-// Returns the line at which a text is nested deeper than any file of this package, because the parser is recursive and
-// some versions do not bound its depth. Brackets in quotes or comments count, too; real files have few of them.
+// Returns the line at which a text is nested more deeply than any file of this package. The check is needed because the
+// parser is recursive, in some versions without a limit. It also counts brackets in quotes and comments, of which real
+// files contain few.
 std::optional<int> lineNestedTooDeep(const std::string& text) {
   int line = 1;
   int brackets = 0;
   int indentation = 0;
-  bool leading = true;  // the line so far has only blanks and marks of nested lists and keys
+  bool leading = true;  // true while the line contains only blanks and marks of nested lists and keys
   for (const char c : text) {
     brackets += (c == '[' || c == '{' ? 1 : 0) - (c == ']' || c == '}' ? 1 : 0);
     leading = c == '\n' || (leading && (c == ' ' || c == '-' || c == '?' || c == ':'));
@@ -118,7 +119,7 @@ std::optional<YamlProblem> beyondYamlBounds(const std::string& text) {
   return std::nullopt;
 }
 
-// YAML::LoadAll is not used, because it never returns for a stray comma.
+// YAML::LoadAll is not used, because for a stray comma it never returns.
 std::optional<int> lineOfSecondDocument(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);

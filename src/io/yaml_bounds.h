@@ -1,4 +1,4 @@
-// Limits of the nesting and size of a YAML text, to be checked before it is loaded.
+// Limits of the nesting and size of a YAML text. They must be checked before the text is loaded.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@ namespace rubber_suspension::io {
 
 struct YamlProblem {
   int line;          ///< from 1
-  std::string text;  ///< with what is accepted
+  std::string text;  ///< the problem and the accepted values
 };
 
-/// Returns where a text exceeds the depth or the number of values of any file of this package; an alias (*name) counts
-/// as all values of its anchor, because nested aliases multiply. Throws YAML::Exception if the text is not YAML.
+/// Returns the place where a text exceeds the largest depth or number of values, or nullopt. An alias (*name) counts as
+/// many as the values of its anchor, because nested aliases multiply. Throws YAML::Exception if the text is not YAML.
 std::optional<YamlProblem> beyondYamlBounds(const std::string& text);
 
-/// Returns the line, from 1, at which a second document begins. Throws as beyondYamlBounds() does.
+/// Returns the line, number of the line, from 1, at which a second document begins. Throws as beyondYamlBounds() does.
 std::optional<int> lineOfSecondDocument(const std::string& text);
 
 }  // namespace rubber_suspension::io

@@ -1,4 +1,4 @@
-// YAML as a tree of entries, and the wording of refusals.
+// YAML as a tree of entries, and the texts of refusals.
 #include "io/yaml_reader.h"
 
 #include <algorithm>
@@ -14,13 +14,15 @@ namespace {
 
 constexpr const char* kMerge = "<<";
 
-// In a flow map a decimal comma separates entries, so that the digits after it become a key.
+// Returns a hint if a key is a number: in a flow map, a decimal comma separates entries, so that the digits after it
+// become a key.
 std::string decimalCommaHint(const std::string& key) {
   const bool digits = !key.empty() && key.find_first_not_of("0123456789eE+-") == std::string::npos;
   return digits ? " (is there a decimal comma before it? use a decimal point)" : "";
 }
 
-// Returns the first line up to line `last` that is indented with a tab, both from 0; -1 if there is none.
+// Returns the first line, at most `last`, that is indented with a tab, or -1 if there is none. Lines are counted from
+// 0.
 int lineWithTab(const std::string& text, int last) {
   std::istringstream lines(text);
   std::string line;

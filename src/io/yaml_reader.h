@@ -1,4 +1,4 @@
-// Strict reading of YAML: every refusal names file, line, place, value and what is accepted.
+// Strict reading of YAML. Every refusal states file, line, place, value and accepted values.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace rubber_suspension::io {
 
-/// A node of the file and its path in the component: "specification.loss_angle", "add[0].type".
+/// A node of the file and its path in the component, such as "specification.loss_angle" or "add[0].type".
 struct Entry {
   YAML::Node node;
   std::string path;
@@ -28,13 +28,13 @@ struct Entry {
   Entry operator[](std::size_t i) const;           ///< entry of a list
 };
 
-/// Describes a node for an error: the quoted text, "a list", "nothing".
+/// Returns a description of a node for an error: its text in quotes, or words such as "a list" or "nothing".
 std::string kindOf(const YAML::Node& node);
 
-/// Returns ", did you mean ...?" if the text is similar to one of the names, else an empty text.
+/// Returns ", did you mean ...?" if the text is similar to one of the names, otherwise an empty text.
 std::string hintOf(const YAML::Node& node, const std::vector<std::string>& names);
 
-/// A key of a map and the function that stores its value in the target; without a function it is read elsewhere.
+/// A key of a map and the function that stores its value in the target. A key without a function is read elsewhere.
 template <class Target>
 struct Key {
   std::string name;
@@ -42,18 +42,18 @@ struct Key {
   std::string needed = {};  ///< accepted values of a required key; empty: the key is optional
 };
 
-/// Returns a key whose value, read by `load`, is stored in a member.
+/// Returns a key whose value is read by `load` and stored in a data member of the target.
 template <class Target, class Value, class Load>
 Key<Target> into(std::string name, Value Target::* member, Load load, std::string needed = {}) {
   return {std::move(name), [=](const Entry& entry, Target& target) { target.*member = load(entry); },
           std::move(needed)};
 }
 
-/// Reads one YAML file strictly: a component file, a data sheet or a jobs file. The first problem throws
-/// ComponentFileError, unless `problems_` is set: then reading continues, and `problems_` receives every problem.
+/// Reads one YAML file strictly: a component file, a data sheet or a jobs file. Throws ComponentFileError at the first
+/// problem. If `problems_` is set, reading continues instead, and `problems_` receives every problem.
 class YamlReader {
  protected:
-  /// `kind` is what the file should be, such as "a component file"; `key` is its required key.
+  /// `kind` describes the expected file, such as "a component file". `key` is its required key.
   YamlReader(std::string source, std::string kind, std::string key)
       : source_(std::move(source)), kind_(std::move(kind)), key_(std::move(key)) {}
 
@@ -74,10 +74,10 @@ class YamlReader {
 
   [[noreturn]] void refuse(const Entry& entry, const std::string& problem) const;
 
-  /// Refuses with a message that contains the place itself.
+  /// Refuses a node with a message that already contains the place.
   [[noreturn]] void refuseAt(const YAML::Node& node, const std::string& problem) const { refuse({node, ""}, problem); }
 
-  /// Refuses the content of an entry, which the message quotes.
+  /// Refuses the content of an entry. The message quotes this content.
   [[noreturn]] void refuseContent(const Entry& entry, const std::string& accepted) const;
 
   void requireMap(const Entry& entry, const std::string& accepted = "a map") const;
@@ -91,7 +91,7 @@ class YamlReader {
   /// Returns a key as an entry with the path of its value.
   static Entry keyOf(const Entry& map, const YAML::Node& key) { return {key, map[key.Scalar()].path}; }
 
-  /// Reads a map by its keys, in the order of `keys`.
+  /// Reads the keys of a map in the order of `keys`.
   template <class Target>
   void read(const Entry& map, const std::vector<Key<Target>>& keys, Target& target, const char* accepted = "a map") {
     checkMap(map, element::namesOf(keys), accepted);
@@ -105,7 +105,7 @@ class YamlReader {
     }
   }
 
-  /// Reads a list of maps, each by `load`.
+  /// Reads a list of maps. `load` reads each map.
   template <class Value, class Load>
   std::vector<Value> loadMaps(const Entry& list, Load load) {
     if (!list.node.IsSequence() || list.node.size() == 0 || list.node.size() > kMaximumElements) {
@@ -119,7 +119,7 @@ class YamlReader {
     return values;
   }
 
-  /// Returns the index of a word in `words`; `wanted` is what it should name, such as "a model", for errors.
+  /// Returns the index of a word in `words`. Errors state what is `wanted`, such as "a model".
   std::size_t loadWord(const Entry& entry, const std::vector<std::string>& words, const std::string& wanted = "") const;
   bool loadFlag(const Entry& entry) const { return loadWord(entry, {"false", "true"}) == 1; }
 
@@ -136,8 +136,8 @@ class YamlReader {
   std::string source_;
   std::string kind_;
   std::string key_;
-  // Lines of keys without a value, by the position of their null node, which yaml-cpp places at the next token,
-  // possibly lines below.
+  // Lines of keys without a value, by the positions of their null nodes. yaml-cpp places such a node at the next token,
+  // which may be some lines below.
   std::map<int, int> lines_of_nothing_;
 };
 

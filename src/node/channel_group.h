@@ -1,4 +1,4 @@
-// All components of the node, for operations on all of them at one instant. Independent of ROS.
+// All components of the node, for operations that act on all components at one instant. Independent of ROS.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::node {
 
-/// Bundles of samples and operations on all components exclude each other, so that no saved state has half a bundle,
+/// Bundles of samples and operations on all components exclude each other. So no saved state contains half a bundle,
 /// and no bundle is answered partly before and partly after a change. Single samples need only the lock of their
 /// component.
 class ChannelGroup {
@@ -25,10 +25,10 @@ class ChannelGroup {
 
   const std::vector<ComponentChannel*>& channels() const { return channels_; }
 
-  /// Returns the channels of six directions, or those of one.
+  /// Returns the channels of components of six directions, or of components of one direction.
   const std::vector<ComponentChannel*>& channels(bool six_directions) const { return by_kind_[six_directions ? 1 : 0]; }
 
-  /// Returns the lock to be held while a bundle is answered.
+  /// Returns the lock that the caller must hold while it answers a bundle.
   std::shared_lock<std::shared_mutex> bundle() const { return std::shared_lock<std::shared_mutex>(mutex_); }
 
   std::vector<SavedState> save() const {
@@ -41,7 +41,7 @@ class ChannelGroup {
     return states;
   }
 
-  /// Resets all to new components at rest.
+  /// Resets all channels to new components at rest.
   void reset() {
     const Alone lock(mutex_);
     std::for_each(channels_.begin(), channels_.end(), [](ComponentChannel* channel) { channel->reset(); });
@@ -52,8 +52,8 @@ class ChannelGroup {
     std::for_each(channels_.begin(), channels_.end(), [=](ComponentChannel* channel) { channel->setEnabled(enabled); });
   }
 
-  /// Loads one state for each channel, in their order. If one is refused, throws as ComponentChannel::checkState() and
-  /// changes nothing.
+  /// Loads one state for each channel, in the order of the channels. If a state is refused, throws as
+  /// ComponentChannel::checkState() and changes nothing.
   void load(const std::vector<const SavedState*>& states) {
     const Alone lock(mutex_);
     for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -64,7 +64,7 @@ class ChannelGroup {
     }
   }
 
-  /// Replaces the model of each channel; `models` has the order of the channels.
+  /// Replaces the model of each channel. `models` is in the order of the channels.
   void exchange(const std::vector<std::shared_ptr<ComponentChannel::Model>>& models) {
     const Alone lock(mutex_);
     for (std::size_t i = 0; i < channels_.size(); ++i) {

@@ -39,7 +39,7 @@ void goOn(component::SampleStream& stream, const SavedStream& saved) {
 
 void goOn(component::PoseStream& stream, const SavedStream& saved) { stream.deserialise(saved.stamp, saved.memory); }
 
-// Throws for a model that cannot be computed beside another.
+// Throws for a model that cannot be computed in parallel with another model.
 void requireOneDirection(const io::ComponentDescription& description) {
   element::refuseIf(description.six != nullptr,
                     "{}: has six directions and cannot be promoted; accepted: a component of one direction",
@@ -64,7 +64,7 @@ class ComponentChannel::Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  // Calls `question` with the component and the stream, of either kind.
+  // Calls `question` with the component and its stream, for one direction or for six directions.
   template <class Ask>
   auto ask(Ask question) const {
     return six ? question(six->component, six->stream) : question(one->component, one->stream);
@@ -74,7 +74,8 @@ class ComponentChannel::Model {
     six ? order(six->stream) : order(one->stream);
   }
 
-  // Returns the elements, or for six directions, which have more than elements, the hash of the description.
+  // Returns the elements or, for six directions, the hash of the description, because elements alone do not identify
+  // them.
   ModelIdentity identity() const {
     return six ? ModelIdentity{{}, sha256} : ModelIdentity{one->component.elements(), ""};
   }
@@ -84,7 +85,7 @@ class ComponentChannel::Model {
   void restore(const SavedStream& saved) {
     tell([&](auto& stream) { saved.started ? goOn(stream, saved) : stream.reset(); });
   }
-  // Does not touch the running stream, so it needs no lock.
+  // Throws unless the model can continue from a saved stream. It does not use the running stream, so it needs no lock.
   void check(const SavedStream& saved) const {
     ask([&](const auto& component, const auto& running) {
       std::decay_t<decltype(running)> stream(component, max_gap_);
@@ -92,7 +93,7 @@ class ComponentChannel::Model {
     });
   }
 
-  // A component and its stream, which refers to the component, so that neither may move.
+  // A component and its stream. The stream refers to the component, so neither object may be moved.
   template <class Component, class Stream>
   struct Fed {
     Fed(Component made, double max_gap) : component(std::move(made)), stream(component, max_gap) {}
@@ -111,15 +112,15 @@ class ComponentChannel::Model {
   const double max_gap_;
 };
 
-// A second model beside the configured one. It receives the samples that the configured model accepts.
+// A second model in addition to the configured model. It receives the samples that the configured model accepts.
 class ComponentChannel::Promotion {
  public:
   Promotion(io::ComponentDescription of, double max_gap, const PromotionSettings& settings, RunStage stage,
             double weight)
       : description(std::move(of)), model(makeModel(description, max_gap)), fade(settings, stage, weight) {}
 
-  // Processes a sample that the configured model answered; returns the published force, and in `beside` the total force
-  // of the other model.
+  // Processes a sample that the configured model has answered with the force `configured`. Returns the published force,
+  // and sets `beside` to the total force of the second model.
   element::ComponentForce push(std::int64_t stamp, double displacement, const element::ComponentForce& configured,
                                double& beside) {
     fade.advance(stamp);
@@ -134,7 +135,7 @@ class ComponentChannel::Promotion {
     return fade.blend(configured, answer.force);
   }
 
-  // Ends the shadow: begins the cross-fade, unless the errors were larger than those of the configured model.
+  // Ends the shadow stage. The cross-fade begins unless the second model had larger errors than the configured model.
   void judgeShadow(const PairedErrors& errors) {
     const bool is_no_worse = errors.samples == 0 || errors.other <= errors.published;
     note = (is_no_worse ? "" : "the model was not promoted because it was worse: ") + describeErrors(errors);
@@ -164,7 +165,7 @@ ComponentChannel::ComponentChannel(const io::ComponentDescription& description, 
   }
 }
 
-// Returns true if the component is enabled, and sets the temperature at the stamp.
+// Begins a sample: sets the temperature at its stamp. Returns false if the component is disabled.
 bool ComponentChannel::begins(std::int64_t stamp, bool finite) {
   if (!counts_.enabled) {
     ++counts_.disabled;
@@ -228,8 +229,8 @@ void ComponentChannel::addMeasured(std::int64_t stamp, const component::Wrench& 
   }
 }
 
-// For six directions the monitors store the measured wrench, and its forces in the directions, which depend on the
-// pose, are computed here. Samples that one of the monitors lacks are omitted.
+// For six directions the monitors store the measured wrench. Its generalised forces depend on the pose and are computed
+// here. Samples that are not in all monitors are omitted.
 std::vector<std::vector<MatchedSample>> ComponentChannel::windows(double seconds) const {
   std::vector<std::vector<MatchedSample>> windows;
   for (const GapMonitor& gap : gaps_) {
@@ -275,7 +276,7 @@ bool ComponentChannel::setTemperature(std::int64_t stamp, double temperature) {
   return true;
 }
 
-// Applies the last measured temperature, which takes precedence over that of a state.
+// Applies the last measured temperature, which takes precedence over the temperature in a loaded state.
 void ComponentChannel::keepTemperature() {
   if (const std::optional<double>& temperature = temperatures_.current()) {
     model_->tell([&](auto& stream) { stream.setTemperature(*temperature); });
@@ -285,7 +286,6 @@ void ComponentChannel::keepTemperature() {
   }
 }
 
-// Returns true if a second model is computed.
 bool ComponentChannel::isBeside() const { return promotion_ && promotion_->fade.stage() != RunStage::configured; }
 
 void ComponentChannel::countLost(std::uint64_t samples) {
@@ -407,7 +407,7 @@ void ComponentChannel::rollBack() {
   promotion_->fade.giveBack();
 }
 
-// Moves a model that is no longer used to `finished`, which is to be freed after the lock.
+// Moves a second model that is no longer used to `finished`, which the caller frees after it has released the lock.
 void ComponentChannel::dropFinished(std::shared_ptr<Promotion>& finished) {
   if (promotion_ && promotion_->fade.stage() == RunStage::configured) {
     note_ = promotion_->note;

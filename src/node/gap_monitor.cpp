@@ -34,7 +34,7 @@ void GapMonitor::match(std::uint64_t number, double force) {
   }
 }
 
-// Matches measured forces that came before their sample; older ones can no longer be matched.
+// Matches measured forces that came before their sample, and discards forces that can no longer be matched.
 void GapMonitor::takeWaiting(std::uint64_t number) {
   const std::int64_t stamp = at(number).stamp;
   const auto is_past = [&](const Waiting& waiting) {
@@ -55,7 +55,7 @@ void GapMonitor::addSimulated(std::int64_t stamp, double displacement, double fo
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   if (count_ > first_ && stamp <= at(count_ - 1).stamp) {
-    first_ = count_;  // forces that wait may belong to the new replay
+    first_ = count_;  // waiting forces are kept, because they may belong to the new replay
   }
   const std::uint64_t number = count_;
   makeRoom(number);
@@ -66,7 +66,7 @@ void GapMonitor::addSimulated(std::int64_t stamp, double displacement, double fo
   }
 }
 
-// Returns the number of the first sample that is not earlier than `stamp`; stamps increase with the numbers.
+// Returns the number of the first sample at or after `stamp`. The stamps increase with the numbers.
 std::uint64_t GapMonitor::firstFrom(std::int64_t stamp) const {
   using Number = boost::counting_iterator<std::uint64_t>;
   return *std::partition_point(Number(oldest()), Number(count_),

@@ -1,4 +1,5 @@
-// Matches measured to simulated forces by stamp and stores the last seconds for the live gap. Independent of ROS.
+// Matches measured to simulated forces by stamp, and stores the last seconds of samples for the live gap. Independent
+// of ROS.
 #pragma once
 
 #include <array>
@@ -18,43 +19,45 @@ struct MatchedSample {
   std::int64_t stamp = 0;                                    ///< [ns]
   double displacement = 0.0;                                 ///< [m]
   double simulated = 0.0;                                    ///< [N]
-  double measured = 0.0;                                     ///< [N]; NaN until it is received
+  double measured = 0.0;                                     ///< [N]; NaN until the measured force is received
   double beside = std::numeric_limits<double>::quiet_NaN();  ///< force of the second model [N], if any
 };
 
 struct MatchCounters {
   std::uint64_t matched = 0;
-  std::uint64_t unmatched = 0;   ///< measured forces without a stored sample of the same stamp
-  std::uint64_t not_finite = 0;  ///< measured forces dropped, also if beyond element::kLargestNumber
+  std::uint64_t unmatched = 0;   ///< number of measured forces without a stored sample of the same stamp
+  std::uint64_t not_finite = 0;  ///< number of measured forces not finite or beyond element::kLargestNumber
 };
 
-/// Matches samples and measured forces from different threads, in any relative order. Costs nothing before the first
-/// measured force; afterwards it locks for one sample at a time, and allocates only for samples beyond kCapacity.
+/// Matches samples and measured forces, which may come from different threads in any order. Before the first measured
+/// force, it does nothing. After that it locks for one sample at a time, and allocates only for samples beyond
+/// kCapacity.
 class GapMonitor {
  public:
   static constexpr std::size_t kCapacity = 32768;  ///< samples stored by default: 32 s at 1 kHz, 3 s at 10 kHz
   static constexpr std::size_t kWaiting = 4096;    ///< largest number of measured forces that wait for their samples
 
-  /// Stores `capacity` samples, at least kCapacity; memory for more than kCapacity is allocated as they come.
+  /// Stores `capacity` samples, at least kCapacity. Memory for samples beyond kCapacity is allocated when they come.
   explicit GapMonitor(std::size_t capacity = kCapacity);
 
-  /// Adds an accepted sample: stamp [ns], displacement [m], force [N]. A stamp that steps back begins a new replay and
-  /// discards all earlier samples. Numbers beyond element::kLargestNumber are ignored. `beside` is the force [N] of the
-  /// second model, if any.
+  /// Adds an accepted sample with stamp [ns], displacement [m] and force [N]. A stamp that is not later than the last
+  /// one begins a new replay and discards all earlier samples. Samples with numbers beyond element::kLargestNumber are
+  /// ignored. `beside` is the force [N] of the second model, if any.
   void addSimulated(std::int64_t stamp, double displacement, double force,
                     double beside = std::numeric_limits<double>::quiet_NaN());
 
-  /// Adds a measured force: stamp [ns], force [N]. Returns false if it is not finite or beyond element::kLargestNumber.
+  /// Adds a measured force [N] with a stamp [ns]. Returns false if it is not finite or beyond element::kLargestNumber.
   bool addMeasured(std::int64_t stamp, double force);
 
-  /// Discards all samples; counters remain.
+  /// Discards all samples. The counters remain.
   void clear();
 
   /// Returns the matched samples of the last `window` [s], in order.
   std::vector<MatchedSample> window(double window) const;
 
-  /// Returns matched samples from number `next` on, in order, about `most` at most, and moves `next` behind them.
-  /// Samples that were overwritten before are missing. Locks piece by piece, so that other threads do not wait long.
+  /// Returns about `most` matched samples at most, in order, from sample number `next` on, and advances `next` past
+  /// them. Samples that were overwritten before the call are missing. The lock is released after each piece, so that
+  /// other threads do not wait long.
   std::vector<MatchedSample> read(std::uint64_t& next, std::size_t most) const;
 
   MatchCounters counters() const;
@@ -85,7 +88,7 @@ class GapMonitor {
   const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::atomic<bool> wanted_{false};
-  std::vector<std::unique_ptr<Block>> blocks_;  // a ring buffer; sample number n is at n modulo the capacity
+  std::vector<std::unique_ptr<Block>> blocks_;  // a ring buffer: sample number n is at n modulo the capacity
   std::uint64_t first_ = 0;                     // number of the first sample since the last restart
   std::uint64_t count_ = 0;                     // number of the next sample
   std::uint64_t matched_end_ = 0;               // number after the newest matched sample

@@ -1,4 +1,4 @@
-// Histogram of latencies of fixed size: counting allocates nothing and takes a few nanoseconds.
+// Histogram of latencies. Its size is fixed, so that counting allocates nothing and takes a few nanoseconds.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ class LatencyHistogram {
   std::uint64_t count() const { return count_; }
   double maximum() const { return 1e-9 * static_cast<double>(maximum_); }  ///< [s]
 
-  /// Returns the upper edge [s] of the bucket up to which this fraction (0 to 1) of the samples lies; 0 without
+  /// Returns the upper edge [s] of the bucket that contains the percentile of a fraction (0 to 1), or 0 without
   /// samples.
   double percentile(double fraction) const {
     const double wanted = std::max(1.0, std::ceil(fraction * static_cast<double>(count_)));
@@ -51,7 +51,7 @@ class LatencyCounter {
     }
   }
 
-  /// Returns what was counted since the last call.
+  /// Returns the durations counted since the last call.
   LatencyHistogram take() {
     LatencyHistogram result;
     for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {

@@ -1,4 +1,4 @@
-// The live gap.
+// Computes the live gap.
 #include "node/live_gap.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace rubber_suspension::node {
 namespace {
 
 constexpr std::size_t kFewest = 100;         // samples
-constexpr Eigen::Index kWarpedWhole = 2000;  // samples; limits a rating to 10 ms per second at 10 kHz
+constexpr Eigen::Index kWarpedWhole = 2000;  // samples; with it a rating takes at most 10 ms per second at 10 kHz
 constexpr std::size_t kHistory = 600;        // largest number of reports in the trend
 
 log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) {
@@ -30,8 +30,8 @@ log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) 
   return log;
 }
 
-// Returns the force of the errors of the rig that are within its tolerances; larger errors count as gap. The fit
-// assumes white noise: with slow noise an offset would be poorly determined and could enlarge the gap.
+// Returns the force due to those errors of the rig that are within its tolerances. Larger errors count as gap. The fit
+// assumes white noise, because with slow noise an offset would be poorly determined and could enlarge the gap.
 Eigen::VectorXd tolerated(const measurement::RigModel& rig, const measurement::RigColumns& columns) {
   const measurement::RigFit fit = rig.fit(0, columns, 0);
   Eigen::VectorXd part = Eigen::VectorXd::Zero(fit.residual.size());
@@ -43,7 +43,7 @@ Eigen::VectorXd tolerated(const measurement::RigModel& rig, const measurement::R
   return part;
 }
 
-// Resamples both forces, which have the same stamps, to one uniform time base and compares them.
+// Resamples the measured and the simulated force, which have the same stamps, to uniform steps and compares them.
 void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, io::RigTolerances tolerances,
              LiveGap& gap) {
   tolerances.initial_state.value = 0.0;  // the component has processed all samples before the window
@@ -62,7 +62,8 @@ void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, io
   const double scale = std::sqrt(record.counted()) * record.force_deviation;
   gap.gap = residual.norm() / scale;
   gap.gap_as_recorded = error.norm() / scale;
-  // Only white noise counts: nothing was fitted, and errors of the model must not be taken for slow noise.
+  // Slow noise does not count, because it could not be distinguished from errors of the model, which is not fitted
+  // here.
   gap.noise_floor = std::min(gap::whiteNoiseFloor(record, residual), gap.gap);
   gap.beyond_noise = gap::residualAboveFloor(gap.gap, gap.noise_floor);
   gap.cells = gap::gapMap({record}, {residual}, {gap.noise_floor});
@@ -87,7 +88,7 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
   std::vector<MatchedSample> samples;
   std::copy_if(window.begin(), window.end(), std::back_inserter(samples),
                [&](const MatchedSample& sample) { return !std::isnan(sample.*force); });
-  // Only samples after the last time gap count, because a spectrum needs a record without gaps.
+  // Samples before the last time gap are omitted, because a spectrum needs a record without time gaps.
   samples.erase(samples.begin(),
                 samples.begin() + static_cast<std::ptrdiff_t>(log::stretchesOf(logOf(samples, force)).back()));
   LiveGap gap;
@@ -98,7 +99,7 @@ LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& 
   }
   gap.stamp = samples.back().stamp;
   gap.window = 1e-9 * static_cast<double>(samples.back().stamp - samples.front().stamp);
-  // In a window that has just begun, the first transient would appear as a gap.
+  // In a window that has just begun, the initial transient would appear as a gap.
   if (samples.size() < kFewest || gap.window < 0.1 * settings.window) {
     gap.reason = "the window does not contain enough samples yet";
     return gap;
@@ -131,7 +132,7 @@ LiveGap GapTracker::update(const std::vector<MatchedSample>& window, SimulatedFo
   return gap;
 }
 
-// Returns the slope of a line fitted to the history; 0 while all windows overlap, because they do not show a trend.
+// Returns the slope of a line fitted to the history, or 0 while all windows overlap, because they do not show a trend.
 double GapTracker::trend() const {
   if (history_.size() < 3 || history_.back().time - history_.front().time < settings_.window) {
     return 0.0;

@@ -1,4 +1,4 @@
-// Detects messages of a topic that a subscriber lost, by their reference counts. Independent of ROS.
+// Detects lost messages of a topic from their reference counts. Independent of ROS.
 #pragma once
 
 #include <boost/shared_array.hpp>
@@ -9,18 +9,19 @@
 
 namespace rubber_suspension::node {
 
-/// A full queue contains the last `queue_size` messages, so a new message displaces the one `queue_size` before it. If
-/// the reference count of the latter drops while the new message is handed over, a subscriber has lost it; so nothing
-/// may be sent meanwhile. Only messages that are in a queue are stored. Not thread-safe.
+/// Detects messages that subscribers lose. A full queue contains the last `queue_size` messages, so a new message
+/// displaces the oldest one. If the reference count of the oldest message decreases while the new one is handed over to
+/// the queues, a subscriber has lost the oldest message. So no message may be sent during the hand-over. Only messages
+/// that are in a queue are stored. Not thread-safe.
 class LossCount {
  public:
   using Buffer = boost::shared_array<std::uint8_t>;
 
   explicit LossCount(std::size_t queue_size) : queue_size_(queue_size) {}
 
-  /// Begins the hand-over of a message; call this before any queue has it.
+  /// Begins the hand-over of a message. Call this before any queue contains the message.
   void begin(const Buffer& message) {
-    // A message that is being sent to a subscriber is no longer in a queue, however old it is.
+    // Removes messages that are in no queue: newer ones have displaced them, or nothing else refers to them.
     while (window_.size() > queue_size_ || (!window_.empty() && window_.front().use_count() == 1)) {
       window_.pop_front();
     }
@@ -28,7 +29,8 @@ class LossCount {
     window_.push_back(message);
   }
 
-  /// Ends the hand-over; call this when all queues have the message. Returns true if a queue lost another one.
+  /// Ends the hand-over. Call this when all queues contain the message. Returns true if a queue has lost the oldest
+  /// message.
   bool end() {
     const long before = std::exchange(holders_, 0);
     return before > 0 && window_.front().use_count() < before;
@@ -37,7 +39,7 @@ class LossCount {
  private:
   std::size_t queue_size_;
   std::deque<Buffer> window_;
-  long holders_ = 0;  // reference count of the message to be displaced; 0: there is none
+  long holders_ = 0;  // reference count of the oldest message in a full queue; 0 if there is none
 };
 
 }  // namespace rubber_suspension::node

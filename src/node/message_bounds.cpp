@@ -1,4 +1,4 @@
-// Bounds of a message on the wire, checked before it is decoded.
+// Limits of the size of a serialised message, checked before it is decoded.
 #include "node/message_bounds.h"
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace {
 constexpr std::size_t kSequenceAndStamp = 12;
 constexpr std::size_t kLength = 4;
 
-// Reads the fields of a message, each checked against the remaining bytes. After the first that does not fit, all fail.
+// Reads the fields of a message. Each field is checked against the number of remaining bytes. After the first field
+// that does not fit, all further fields fail.
 class Fields {
  public:
   Fields(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -23,7 +24,8 @@ class Fields {
     data_ += fit_ ? size : 0;
   }
 
-  // Reads a length of four bytes, least significant first; returns 0 if it exceeds `most`.
+  // Reads a length from four bytes, of which the least significant is first. Fails and returns 0 if the length exceeds
+  // `most`.
   std::size_t length(std::size_t most) {
     const std::uint8_t* const at = data_;
     skip(kLength);

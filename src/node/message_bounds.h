@@ -1,5 +1,5 @@
-// Bounds of a serialised message, checked before it is decoded, because decoders allocate whatever size a message
-// claims to have. Independent of ROS.
+// Limits of the size of a serialised message. They are checked before it is decoded, because decoders allocate any size
+// that a message claims to have. Independent of ROS.
 #pragma once
 
 #include <cstddef>
@@ -7,25 +7,25 @@
 
 namespace rubber_suspension::node {
 
-constexpr std::size_t kLongestFrameId = 255;        ///< bytes of a header's frame_id
+constexpr std::size_t kLongestFrameId = 255;        ///< bytes in the frame_id of a header
 constexpr std::size_t kLongestComponentName = 100;  ///< bytes, as in component files
 
-/// Returns true if the bytes are exactly a header and kNumbers float64: 1 for a Displacement or MeasuredForce, 2 for a
-/// sensor_msgs/Temperature, 7 for a geometry_msgs/PoseStamped, 6 for a WrenchStamped.
+/// Returns true if the bytes are exactly a header and kNumbers values of type float64. A Displacement or MeasuredForce
+/// has 1 such number, a sensor_msgs/Temperature 2, a geometry_msgs/WrenchStamped 6 and a PoseStamped 7.
 template <std::size_t kNumbers>
 bool isStamped(const std::uint8_t* data, std::size_t size);
 
-/// Signature of such a check.
+/// Type of a function that checks messages.
 using MessageCheck = bool(const std::uint8_t* data, std::size_t size);
 
 constexpr std::size_t kPoseNumbers = 7;    ///< position and quaternion
 constexpr std::size_t kWrenchNumbers = 6;  ///< force and moment
 
-/// Returns true if the bytes are exactly a DisplacementArray (`numbers` 1) or PoseArray (kPoseNumbers) with at most
-/// `most_components` names and entries.
+/// Returns true if the bytes are exactly a DisplacementArray (`numbers` is 1) or PoseArray (`numbers` is kPoseNumbers)
+/// with at most `most_components` names and entries.
 bool isBundle(const std::uint8_t* data, std::size_t size, std::size_t most_components, std::size_t numbers = 1);
 
-/// Returns the size of the longest such message for a number of components [bytes].
+/// Returns the size of the longest bundle for a number of components [bytes].
 std::size_t longestBundle(std::size_t components, std::size_t numbers = 1);
 
 }  // namespace rubber_suspension::node

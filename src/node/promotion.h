@@ -1,4 +1,5 @@
-// Replacement of the configured model by a second one: first in parallel, then by a cross-fade. Independent of ROS.
+// Replacement of the configured model by a second model, which is first computed in parallel and then cross-faded in.
+// Independent of ROS.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +13,10 @@ namespace rubber_suspension::node {
 /// The model from which the published force is computed.
 enum class RunStage {
   configured,    ///< the configured model alone
-  shadow,        ///< the configured model, while the other is computed in parallel
+  shadow,        ///< the configured model, while the other model is computed in parallel
   promoting,     ///< a cross-fade to the other model
-  promoted,      ///< the other model, while the configured one is computed in parallel
-  rolling_back,  ///< a cross-fade to the configured model; `configured` follows
+  promoted,      ///< the other model, while the configured model is computed in parallel
+  rolling_back,  ///< a cross-fade to the configured model, after which the stage is `configured`
 };
 
 std::string toString(RunStage stage);
@@ -24,21 +25,21 @@ std::string toString(RunStage stage);
 RunStage runStageOf(const std::string& name);
 
 struct PromotionSettings {
-  double shadow = 5.0;  ///< time that a model is computed in parallel before the cross-fade [s]
+  double shadow = 5.0;  ///< time for which a model is computed in parallel before the cross-fade [s]
   double fade = 1.0;    ///< duration of a cross-fade [s]
 };
 
 /// Sums of the squared errors of two models at the same samples [N^2].
 struct PairedErrors {
-  std::uint64_t samples = 0;  ///< with a measured force
-  double published = 0.0;     ///< of the force that was published
-  double other = 0.0;         ///< of the force of the second model
+  std::uint64_t samples = 0;  ///< number of samples with a measured force
+  double published = 0.0;     ///< sum for the published force
+  double other = 0.0;         ///< sum for the force of the second model
 };
 
-/// The weight w of the other model in the published force
+/// Controls the weight w of the other model in the published force
 ///   F = F_configured + w (F_other - F_configured),  where w changes from 0 to 1 or back with the slope 1/fade.
-/// From one sample to the next the change of w changes F by at most dt/fade |F_other - F_configured|. F has no other
-/// jump, unless the other model's force is not finite: then the configured one is published at once.
+/// From one sample to the next, the change of w changes F by at most dt/fade |F_other - F_configured|. So F does not
+/// jump, unless the force of the other model is not finite; then the configured force is published at once.
 class CrossFade {
  public:
   CrossFade(const PromotionSettings& settings, RunStage stage, double weight)
@@ -51,23 +52,23 @@ class CrossFade {
   /// Advances to a sample with this stamp [ns]. A stamp that steps back does not advance the cross-fade.
   void advance(std::int64_t stamp);
 
-  /// Continues a saved stage, whose last sample had this stamp [ns]; its time begins again.
+  /// Continues a saved stage, whose last sample had this stamp [ns]. The time of the stage begins again.
   void resume(std::int64_t stamp) {
     last_ = stamp;
     since_ = stamp;
   }
 
-  /// Returns true once the time in the shadow is over; then call take() or end().
+  /// Returns true once the time of the shadow stage is over. The caller then has to call take() or end().
   bool shadowIsOver() const;
 
   /// Begins the cross-fade from the configured model to the other one.
   void take() { enter(RunStage::promoting); }
-  void giveBack();  ///< begins the cross-fade back; at weight 0 returns to the configured model at once
+  void giveBack();  ///< begins the cross-fade to the configured model, which is immediate at weight 0
 
   /// Returns to the configured model at once.
   void end();
 
-  /// Returns the published force from those of both models.
+  /// Returns the published force for the forces of both models.
   element::ComponentForce blend(const element::ComponentForce& configured, const element::ComponentForce& other) const;
 
  private:
@@ -80,7 +81,7 @@ class CrossFade {
   std::int64_t last_ = std::numeric_limits<std::int64_t>::min();
 };
 
-/// Returns a sentence with the RMS of both errors.
+/// Returns a sentence with the RMS errors of both models.
 std::string describeErrors(const PairedErrors& errors);
 
 }  // namespace rubber_suspension::node

@@ -1,4 +1,4 @@
-// Files that a parameter names, which must be regular files.
+// Files that parameters name. They must be regular files.
 #include "node/regular_file.h"
 
 #include <fcntl.h>
@@ -33,7 +33,7 @@ void requireRegular(const std::string& path, Type type) {
   }
 }
 
-// Returns the type of the file at `seen`, which is `path` or another path to the same file; errors name `path`.
+// Returns the type of the file at `seen`, which is `path` or another path to the same file. Errors contain `path`.
 Type typeOf(const std::string& path, const std::string& seen) {
   std::error_code error;
   const Type type = status(std::filesystem::path(seen), error).type();
@@ -48,7 +48,7 @@ Type typeOf(const std::string& path, const std::string& seen) {
 void requireRegularFile(const std::string& path) { requireRegular(path, typeOf(path, path)); }
 
 std::string readRegularFile(const std::string& path, std::size_t most) {
-  // Without O_NONBLOCK, opening a pipe would wait for its other end.
+  // Without O_NONBLOCK, opening a pipe would wait for a writer.
   const int opened = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
   if (opened < 0) {
     fail(path, errno == ELOOP ? "is a symbolic link; accepted: a regular file" : std::strerror(errno));
@@ -70,7 +70,7 @@ std::string readRegularFile(const std::string& path, std::size_t most) {
 }
 
 void replaceRegularFile(const std::string& path, const std::string& text) {
-  std::error_code unknown;  // reported when writing fails
+  std::error_code unknown;  // an error is reported when writing fails
   const Type type = symlink_status(std::filesystem::path(path), unknown).type();
   if (type != Type::not_found && type != Type::none) {
     requireRegular(path, type);

@@ -3,15 +3,15 @@
 
 namespace rubber_suspension::node {
 
-/// Permits lines 1 s apart at first and doubles the interval with each line, up to 60 s; begins again after 120 s
-/// without a fault. A permanent fault thus writes 1440 lines a day.
+/// Permits lines 1 s apart at first, and doubles the interval with each line up to 60 s. After 120 s without a fault,
+/// the interval is 1 s again. So a permanent fault causes about 1440 lines per day.
 class ReportPace {
  public:
   static constexpr double kShortest = 1.0;     ///< [s]
   static constexpr double kLongest = 60.0;     ///< [s]
   static constexpr double kForgotten = 120.0;  ///< [s]
 
-  /// Records a fault at a time [s]; returns true if a line is due. Times must not decrease.
+  /// Records a fault at a time [s] and returns true if a line is due. Times must not decrease.
   bool isDue(double now) {
     if (now - last_fault_ > kForgotten) {
       interval_ = 0.0;

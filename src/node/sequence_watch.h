@@ -1,4 +1,4 @@
-// Detects samples that were sent but never arrived, by the sequence numbers of each sender. Independent of ROS.
+// Detects from the sequence numbers of each sender which samples never arrived. Independent of ROS.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace rubber_suspension::node {
 
-/// Follows the sequence numbers of all senders to one topic. `Sender` is a shared pointer that identifies a connection;
-/// it is stored, so that no later connection can have the address of an ended one. Pointers without another owner are
-/// dropped when a new sender appears; only then memory is allocated.
+/// Follows the sequence numbers of all senders to one topic. `Sender` is a shared pointer that identifies a connection.
+/// The pointer is stored, so that no later connection can have the address of an ended connection. When a new sender
+/// appears, pointers without another owner are dropped. Memory is allocated only then.
 template <class Sender>
 class SequenceWatch {
  public:
-  /// Returns how many numbers a sender skipped since its last one. Losses before its first number are unknown.
+  /// Returns how many numbers a sender skipped since its last number. Losses before its first number are unknown.
   std::uint32_t take(const Sender& sender, std::uint32_t sequence) {
     const auto known = entries_.find(sender.get());
     if (known == entries_.end()) {
@@ -24,7 +24,7 @@ class SequenceWatch {
       return 0;
     }
     const std::uint32_t skipped = sequence - std::exchange(known->second.last, sequence) - 1;
-    // If the numbers go back, the sender has started again or counts differently, and no loss is known.
+    // If the numbers go back, the sender has restarted or counts differently, so a loss cannot be determined.
     return skipped < (1U << 31) ? skipped : 0;
   }
 

@@ -18,11 +18,11 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kSchema = "rubber_suspension/state/1";
-// The latest stamp that a message can have [ns]: seconds and nanoseconds of 32 bits.
+// The latest stamp that a message can have [ns], with 32 bits for seconds and 32 bits for nanoseconds.
 constexpr std::int64_t kLatestStamp =
     std::int64_t{std::numeric_limits<std::uint32_t>::max()} * 1000000000 + std::numeric_limits<std::uint32_t>::max();
 
-// JSON preserves a finite double to the last bit: it is written with as many digits as needed.
+// JSON preserves a finite double to the last bit, because it is written with as many digits as needed.
 json streamJson(const SavedStream& stream) {
   return {{"started", stream.started},
           {"stamp_ns", stream.stamp},
@@ -59,7 +59,7 @@ std::invalid_argument wrong(const std::string& key, const json& value, const std
   return std::invalid_argument(fmt::format("{}: {}; accepted: {}", key, shown, accepted));
 }
 
-// Returns the value of a key; throws if it has another type.
+// Returns the value of a key. Throws if the value has another type.
 template <class Value>
 Value valueOf(const std::string& key, const json& value, const std::string& accepted) {
   try {
@@ -96,10 +96,11 @@ element::ElementDescription elementOf(const json& entry) {
 bool isWeightOf(RunStage stage, double weight) {
   const double least = stage == RunStage::promoted ? 1.0 : 0.0;
   const double most = stage == RunStage::shadow ? 0.0 : 1.0;
-  return stage != RunStage::configured && weight >= least && weight <= most;  // configured: there is no second model
+  return stage != RunStage::configured && weight >= least &&
+         weight <= most;  // in the stage `configured` there is no second model
 }
 
-// The hash checks that the description is the one that was saved.
+// Returns the saved second model. A hash shows whether its description was changed after saving.
 SavedPromotion promotionOf(const json& entry) {
   SavedPromotion promotion{streamOf(entry), entry.at("component_file").get<std::string>(),
                            runStageOf(entry.at("stage").get<std::string>()),
@@ -127,7 +128,7 @@ SavedState stateOf(const json& entry) {
   return state;
 }
 
-// The parser and the destructor of the JSON library recurse for each bracket, without a limit.
+// Throws for deep nesting, because parser and destructor of the JSON library recurse for each bracket without a limit.
 bool refuseDeepNesting(int depth, json::parse_event_t /*event*/, const json& /*parsed*/) {
   element::refuseIf(depth >= kDeepestStateFile, "nested deeper than {} brackets", kDeepestStateFile);
   return true;
@@ -160,7 +161,7 @@ std::string stateText(const std::vector<SavedState>& states) {
 }
 
 std::vector<SavedState> parseStates(const std::string& text, const std::string& source) {
-  // The parser's message may quote the text, with its line breaks.
+  // The message of the parser may quote text with line breaks.
   const auto refusal = [&](const std::exception& error) {
     return FileError(log::oneLine(fmt::format("{}: the file is not a state file: {}", source, error.what())));
   };

@@ -8,13 +8,16 @@
 
 namespace rubber_suspension::node {
 
-/// Each temperature applies from its stamp to that of the next; a late one applies from the next sample on. Not
-/// thread-safe. Allocates once, with the first temperature.
+/// Determines the temperature of each sample. A temperature applies from its stamp to the stamp of the next
+/// temperature. A temperature that comes late applies from the next sample on. Not thread-safe. Allocates once, with
+/// the first temperature.
 class TemperatureFeed {
  public:
-  static constexpr std::size_t kMostWaiting = 1024;  ///< ahead of their samples; then the oldest is dropped
+  static constexpr std::size_t kMostWaiting =
+      1024;  ///< largest number of temperatures ahead of their samples; beyond, the oldest is dropped
 
-  /// Adds a temperature [degC]. A stamp [ns] before the newest begins a new replay and discards those that wait.
+  /// Adds a temperature [degC] with a stamp [ns]. A stamp before the newest one begins a new replay and discards all
+  /// temperatures that wait.
   void add(std::int64_t stamp, double temperature) {
     if (waiting_.capacity() == 0) {
       waiting_.set_capacity(kMostWaiting);
@@ -25,7 +28,7 @@ class TemperatureFeed {
     waiting_.push_back({stamp, temperature});
   }
 
-  /// Returns the temperature [degC] at the stamp of a sample [ns] if it has changed since the sample before.
+  /// Returns the temperature [degC] at the stamp of a sample [ns] if it has changed since the last sample.
   std::optional<double> take(std::int64_t stamp) {
     bool changed = false;
     while (!waiting_.empty() && waiting_.front().stamp <= stamp) {

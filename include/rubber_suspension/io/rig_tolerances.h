@@ -1,4 +1,4 @@
-// Tolerances of a rig: errors of its sensors and clocks that are no fault.
+// Tolerances of a rig: sizes of sensor and clock errors that do not count as faults.
 #pragma once
 
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace rubber_suspension::io {
 
-/// Errors of a rig up to this number of standard deviations are within its tolerance.
+/// An error of up to this number of standard deviations is within the tolerance of a rig.
 inline constexpr double kTolerated = 2.0;
 
-/// Standard deviation of an error that a rig adds to a log, independent in each log.
+/// Standard deviation of an error that a rig adds to a log. The errors of different logs are independent.
 struct RigTolerance {
-  double value = 0.0;     ///< in the unit of its row, or a share; 0: the rig does not have this error
-  bool is_share = false;  ///< true: `value` is a share of the quantity that its row states
+  double value = 0.0;     ///< in the unit of its row of the table, or a share; 0 if the rig does not have this error
+  bool is_share = false;  ///< true: `value` is a share of the quantity that its row of the table states
 
-  /// Returns the tolerance in the unit of its row; `whole` is the quantity to which a share refers.
+  /// Returns the tolerance in the unit of its row of the table. `whole` is the quantity to which a share refers.
   double of(double whole) const { return is_share ? value * whole : value; }
 };
 
@@ -32,22 +32,22 @@ struct RigTolerances {
 /// One row of the table from which checks, options and the reference page are made.
 struct RigToleranceInfo {
   std::string name;           ///< the key in a component file and in `--rig KEY=VALUE`
-  std::string unit;           ///< of an absolute value; "1": only a share is accepted
-  std::string share_of;       ///< the quantity to which a value in % refers
+  std::string unit;           ///< unit of an absolute value; "1" if only a share is accepted
+  std::string share_of;       ///< quantity to which a value in % refers
   std::string documentation;  ///< one line
   RigTolerance RigTolerances::* member;
 };
 
 const std::vector<RigToleranceInfo>& rigToleranceTable();
 
-/// Parses text such as "50 N", "0.2 ms" or "0.5 %" for a key. Throws std::invalid_argument with the key, the value and
-/// what is accepted.
+/// Parses text such as "50 N", "0.2 ms" or "0.5 %" for a key. Throws std::invalid_argument, which states the key, the
+/// value and the accepted values.
 RigTolerance parseRigTolerance(const std::string& key, const std::string& text);
 
-/// Applies `--rig KEY=VALUE`. Throws as parseRigTolerance() does.
+/// Sets the tolerance of an option `--rig KEY=VALUE`. Throws as parseRigTolerance() does.
 void setRigTolerance(RigTolerances& tolerances, const std::string& assignment);
 
-/// Returns text that parseRigTolerance() reads back to the same number; a value in % may differ by rounding.
+/// Returns text from which parseRigTolerance() reads the same number, up to rounding if it is in %.
 std::string toString(const RigToleranceInfo& info, const RigTolerance& tolerance);
 
 }  // namespace rubber_suspension::io
