@@ -29,14 +29,12 @@ double relaxedTowardsLimit(double q, double coefficient, double way) {
 /// From rest the force rises with the stiffness A and tends to the limit (A/(beta + gamma))^(1/n). The larger the
 /// exponent n, the more sharply the curve bends before this limit. With gamma = -beta there is no limit. Unloading
 /// starts with the slope A + (beta - gamma) |h|^n. For beta >= |gamma| the energy h^2/(2 A) never grows by more than
-/// the work done, so the law dissipates.
-/// Minor loops do not close; `iwan` closes them.
+/// the work done, so the law dissipates. Minor loops do not close; `iwan` closes them.
 ///
 /// The step is exact for n = 1. Otherwise it consists of Runge-Kutta steps that are short compared to the bend; its
-/// error is below 1e-6 (A/beta)^(1/n) for n up to 20 at any step length. Memory: the force.
-/// Source: Y.-K. Wen, J. Eng. Mech. Div. ASCE 102 (1976) 249-263; as a model of rubber: Kim et al., reference 11 of
-/// Polach (IAVSD 2015); dissipation: M. Ismail, F. Ikhouane and J. Rodellar, Arch. Comput. Methods Eng. 16 (2009)
-/// 161-188.
+/// error is below 1e-6 (A/beta)^(1/n) for n up to 20 at any step length. Memory: the force. Source: Y.-K. Wen, J. Eng.
+/// Mech. Div. ASCE 102 (1976) 249-263; as a model of rubber: Kim et al., reference 11 of Polach (IAVSD 2015);
+/// dissipation: M. Ismail, F. Ikhouane and J. Rodellar, Arch. Comput. Methods Eng. 16 (2009) 161-188.
 class BoucWen final : public ParallelElement {
  public:
   BoucWen(double stiffness /* A [N/m] */, double beta /* [N^(1-n)/m] */, double gamma /* [N^(1-n)/m] */,

@@ -6,10 +6,9 @@ namespace rubber_suspension::element {
 namespace {
 
 /// A single Jenkins slider: it acts as a spring k up to F_max, then slides at F_max, and sticks again at every
-/// reversal.
-/// As k tends to infinity it becomes Coulomb's law. The settled loss per cycle at an amplitude A > F_max/k is 4 F_max
-/// (A - F_max/k). Source: C. F. Jenkin, Engineering 114 (1922) 603; as an element of rubber models: Sedlaczek et al.
-/// (2011).
+/// reversal. As k tends to infinity it becomes Coulomb's law. The settled loss per cycle at an amplitude A > F_max/k is
+/// 4 F_max (A - F_max/k). Source: C. F. Jenkin, Engineering 114 (1922) 603; as an element of rubber models: Sedlaczek
+/// et al. (2011).
 const ElementEntry kCoulombFrictionEntry(
     250, {"coulomb_friction",
           "Coulomb friction behind a contact spring: sticks up to its maximum force, then slides.",

@@ -17,11 +17,10 @@ constexpr double kMaximumDecadesOfTime = 12.0;  // bounds the memory
 /// Returns Maxwell elements whose force after a step of displacement z falls by S z per decade of time, between the
 /// shortest and the longest time. There are about two elements per decade, of equal stiffness S/2. Their relaxation
 /// times are the centres of equal bands on a logarithmic axis, so the slope ripples by less than 0.5 % far from both
-/// times.
-/// Right after the step the force is S z for each decade, so the elements also stiffen motion that is faster than the
-/// shortest time. Validity: times between the two. The force is constant before the shortest and after the longest
-/// time. Towards the longest time T the slope falls as exp(-t/T), by 10 % at T/10.
-/// Source: A. N. Gent, J. Appl. Polym. Sci. 6 (1962) 433-441 (stress relaxation linear in log t).
+/// times. Right after the step the force is S z for each decade, so the elements also stiffen motion that is faster
+/// than the shortest time. Validity: times between the two. The force is constant before the shortest and after the
+/// longest time. Towards the longest time T the slope falls as exp(-t/T), by 10 % at T/10. Source: A. N. Gent, J. Appl.
+/// Polym. Sci. 6 (1962) 433-441 (stress relaxation linear in log t).
 std::vector<Maxwell> creepBank(double stiffness_per_decade /* S [N/m] */, double shortest_time /* [s] */,
                                double longest_time /* [s] */) {
   const double decades = std::log10(longest_time / shortest_time);

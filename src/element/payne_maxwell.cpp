@@ -21,9 +21,8 @@ enum PayneSlot { kPayneForce, kMeanSpeed, kPaynePlace };
 /// With a dead band, the speed in the equation of q is the speed behind play of this width, so that noise within the
 /// play relaxes nothing. A step uses the mean relaxation rate over the step and is of second order in dt. The law is
 /// passive, since the power lost is (1/tau + q/s) F^2/k >= 0. Memory: the force, q, the displacement behind the play
-/// [m].
-/// Source: A. Lion, Rubber Chem. Technol. 71 (1998) 410-429; P. Haupt, K. Sedlan, Arch. Appl. Mech. 71 (2001) 89-109;
-/// P. Hofer, A. Lion, J. Mech. Phys. Solids 57 (2009) 500-520.
+/// [m]. Source: A. Lion, Rubber Chem. Technol. 71 (1998) 410-429; P. Haupt, K. Sedlan, Arch. Appl. Mech. 71 (2001)
+/// 89-109; P. Hofer, A. Lion, J. Mech. Phys. Solids 57 (2009) 500-520.
 class PayneMaxwell final : public ParallelElement {
  public:
   struct Parameters {

@@ -7,14 +7,13 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// Simulates F = k2 z|z| + k3 z^3 + k5 z^5 + k_e (s sinh(z/s) - z), to be added to a linear spring. No loss.
-/// Under z = A sin(wt) the cubic term adds 3/4 k3 A^2 to the stiffness of the first harmonic, and a third harmonic -1/4
-/// k3 A^3 sin(3wt). The polynomial adds k2 A + k3 A^2 + k5 A^4 to the secant stiffness.
-/// The term of k_e has no slope at z = 0 and stiffens more steeply than a polynomial; beyond |z| = 20 s it continues
-/// along its tangent. Validity: the amplitudes for which the coefficients were fitted, since polynomials do not
-/// extrapolate. Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979),
-/// section 2.1; exponential stiffening of Y. C. Fung, Am. J. Physiol. 213 (1967) 1532-1544, here equal in both
-/// directions.
+/// Simulates F = k2 z|z| + k3 z^3 + k5 z^5 + k_e (s sinh(z/s) - z), to be added to a linear spring. No loss. Under z =
+/// A sin(wt) the cubic term adds 3/4 k3 A^2 to the stiffness of the first harmonic, and a third harmonic -1/4 k3 A^3
+/// sin(3wt). The polynomial adds k2 A + k3 A^2 + k5 A^4 to the secant stiffness. The term of k_e has no slope at z = 0
+/// and stiffens more steeply than a polynomial; beyond |z| = 20 s it continues along its tangent. Validity: the
+/// amplitudes for which the coefficients were fitted, since polynomials do not extrapolate. Source: power series of the
+/// restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section 2.1; exponential stiffening of Y. C.
+/// Fung, Am. J. Physiol. 213 (1967) 1532-1544, here equal in both directions.
 class ProgressiveStiffness final : public ParallelElement {
  public:
   /// A scale of 0 means no exponential.

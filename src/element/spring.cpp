@@ -4,8 +4,7 @@
 namespace rubber_suspension::element {
 namespace {
 
-/// Simulates F = k z. Validity: a linear static characteristic.
-/// Source: Polach (IAVSD 2015), element k0 of every model.
+/// Simulates F = k z. Validity: a linear static characteristic. Source: Polach (IAVSD 2015), element k0 of every model.
 class Spring final : public ParallelElement {
  public:
   explicit Spring(double stiffness /* [N/m] */) : stiffness_(stiffness) {}

@@ -38,11 +38,10 @@ void checkOrder(const std::vector<double>& displacement, const std::vector<doubl
 }
 
 /// Simulates F(z) through the points (z_i, F_i), linear between them and with the slopes of the first and last piece
-/// beyond. No loss.
-/// The displacements increase. If `monotone` is true, the forces must not decrease and F(0) must be 0; a preload is
-/// then a `force_offset`. Otherwise any forces are accepted, such as absolute forces at absolute displacements, and the
-/// law may not be passive. Validity: a quasi-static characteristic between the end points; beyond them the table only
-/// extrapolates.
+/// beyond. No loss. The displacements increase. If `monotone` is true, the forces must not decrease and F(0) must be 0;
+/// a preload is then a `force_offset`. Otherwise any forces are accepted, such as absolute forces at absolute
+/// displacements, and the law may not be passive. Validity: a quasi-static characteristic between the end points;
+/// beyond them the table only extrapolates.
 class SpringTable final : public ParallelElement {
  public:
   /// Throws std::invalid_argument if the lists break these rules.

@@ -30,19 +30,16 @@ double tanhOf(double value) { return 1.0 - 2.0 / (1.0 + std::exp(2.0 * value)); 
 /// distance travelled, dS = (M - S)(1 - exp(-|dz|/L)), so that softening takes about L/(4 A) cycles of amplitude A.
 /// While S is constant, the factor depends on z only, so the effect adds loss only while S grows.
 ///
-/// The reduction grows with the reach, R(S) = R min(S/S_f, 1)^q; for q = 0 it is R at any reach.
-/// With a side, only displacements to that side determine M, and only the force on that side is softened. The reduction
-/// rises linearly from 0 at S/4 on the other side of zero to its full value at S/4 on that side, so that the force has
-/// no jump.
-/// With a recovery time T, M and S return to the present displacement, dM/dt = -(M - |z|)/T. Without T softening is
-/// permanent, as it is in rubber over the hours of a test.
-/// Validity: the displacement must determine the strain energy, as for one shape of the test piece and one kind of
-/// load. Memory: M, S.
-/// Source: pseudo-elasticity of R. W. Ogden and D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877, here with a tanh
-/// instead of their error function. For a = 2, u is the share by which the energy of a linear spring is below its
-/// maximum; a = 1 uses displacement as M. F. Beatty and S. Krishnaswamy, J. Mech. Phys. Solids 48 (2000) 1931-1965, use
-/// strain. Reduction that grows with the largest strain, and recovery: J. Diani, B. Fayolle, P. Gilormini, Eur. Polymer
-/// J. 45 (2009) 601-612.
+/// The reduction grows with the reach, R(S) = R min(S/S_f, 1)^q; for q = 0 it is R at any reach. With a side, only
+/// displacements to that side determine M, and only the force on that side is softened. The reduction rises linearly
+/// from 0 at S/4 on the other side of zero to its full value at S/4 on that side, so that the force has no jump. With a
+/// recovery time T, M and S return to the present displacement, dM/dt = -(M - |z|)/T. Without T softening is permanent,
+/// as it is in rubber over the hours of a test. Validity: the displacement must determine the strain energy, as for one
+/// shape of the test piece and one kind of load. Memory: M, S. Source: pseudo-elasticity of R. W. Ogden and D. G.
+/// Roxburgh, Proc. R. Soc. A 455 (1999) 2861-2877, here with a tanh instead of their error function. For a = 2, u is
+/// the share by which the energy of a linear spring is below its maximum; a = 1 uses displacement as M. F. Beatty and
+/// S. Krishnaswamy, J. Mech. Phys. Solids 48 (2000) 1931-1965, use strain. Reduction that grows with the largest
+/// strain, and recovery: J. Diani, B. Fayolle, P. Gilormini, Eur. Polymer J. 45 (2009) 601-612.
 class StressSoftening final : public ForceEffect {
  public:
   enum class Side { lower = -1, both = 0, upper = 1 };

@@ -25,8 +25,7 @@ PerBush<double> displacementDifference(const Bushes& components, const History& 
 
 /// Writes a CSV file. Its columns are time_s and, for struts, frame_m, pitch_rad, body_m, <component>_displacement_m
 /// and <component>_force_N. For other kinds they are time_s and <component>_ followed by x_m to rz_rad and by Fx_N to
-/// Mz_Nm.
-/// Throws std::runtime_error.
+/// Mz_Nm. Throws std::runtime_error.
 void writeHistoryCsv(const std::string& path, Kind kind, const Bushes& components, const History& history);
 
 /// Returns a figure that shows the vertical displacements of a run, and their difference to a reference, over time.

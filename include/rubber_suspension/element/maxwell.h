@@ -20,10 +20,9 @@ struct MaxwellStep {
       : decay(relaxation.decay), gain(stiffness * relaxation.mean) {}
 };
 
-/// Simulates dF/dt = k dz/dt - F/tau with tau = 1/(2 pi f_b), where f_b is the break frequency.
-/// The step F+ = e F + k tau (dz/dt)(1 - e), e = exp(-dt/tau), is exact for a displacement that is linear between
-/// samples, at any step length. Memory: the force.
-/// Source: Polach (IAVSD 2015), Eqs. 13 to 19.
+/// Simulates dF/dt = k dz/dt - F/tau with tau = 1/(2 pi f_b), where f_b is the break frequency. The step F+ = e F + k
+/// tau (dz/dt)(1 - e), e = exp(-dt/tau), is exact for a displacement that is linear between samples, at any step
+/// length. Memory: the force. Source: Polach (IAVSD 2015), Eqs. 13 to 19.
 class Maxwell final : public ParallelElement {
  public:
   Maxwell(double stiffness /* k [N/m] */, double break_frequency /* f_b [Hz] */)

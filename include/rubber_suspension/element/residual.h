@@ -104,12 +104,10 @@ class ResidualBasis {
 ///
 /// The force acts in parallel with the component, on the displacement of the actuator, as parts of the rig do. Effects
 /// on the displacement and force of the test piece do not change it, so it can stand for measured minus simulated
-/// force.
-/// The law is not passive, because its force may reduce another force.
-/// Validity: motions like those of the logs, in displacement, frequency and amplitude (docs/surrogate.md).
-/// Source: stop operators, M. A. Krasnosel'skii and A. V. Pokrovskii, Systems with Hysteresis, Springer 1989; sums of
-/// fading memories that are linear in their weights, S. Boyd and L. O. Chua, IEEE Trans. Circuits and Systems 32 (1985)
-/// 1150-1161.
+/// force. The law is not passive, because its force may reduce another force. Validity: motions like those of the logs,
+/// in displacement, frequency and amplitude (docs/surrogate.md). Source: stop operators, M. A. Krasnosel'skii and A. V.
+/// Pokrovskii, Systems with Hysteresis, Springer 1989; sums of fading memories that are linear in their weights, S.
+/// Boyd and L. O. Chua, IEEE Trans. Circuits and Systems 32 (1985) 1150-1161.
 class Residual final : public ParallelElement {
  public:
   /// Weights of the functions of the basis and bounds of their sum, all [N].

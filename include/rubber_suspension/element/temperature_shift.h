@@ -20,9 +20,8 @@ struct Shift {
 /// the integral of dt/a_T, and the force of these elements is multiplied by b_T. In terms of reduced time and reduced
 /// force each element is the same at any temperature (thermorheologically simple), so a change of the temperature alone
 /// changes no state. The rig, delay, series compliance, self-heating and the recovery of stress softening refer to the
-/// real time.
-/// Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11; L. W. Morland, E. H. Lee,
-/// Trans. Soc. Rheol. 4 (1960) 233-263 (temperature that changes).
+/// real time. Source: J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed., Wiley 1980, ch. 11; L. W. Morland, E.
+/// H. Lee, Trans. Soc. Rheol. 4 (1960) 233-263 (temperature that changes).
 class TemperatureShift : public Element {
  public:
   /// Returns the factors at a temperature [degC] within temperatures().
