@@ -1,5 +1,5 @@
-// Benchmarks of the diagnosis: of six logs, and of one log of any length. The test piece has friction, which its
-// description lacks.
+// Benchmarks of the diagnosis of six logs, and of one log of any length. The description of the test piece lacks
+// friction.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -34,7 +34,6 @@ class MeasuringRig {
  public:
   explicit MeasuringRig(unsigned seed) : random_(seed) {}
 
-  // Appends the next sample of a log, at a displacement [m].
   void measure(double displacement, log::Log& log) {
     log.stamp.push_back(1000000 * next_++);
     log.displacement.push_back(displacement);
@@ -49,7 +48,6 @@ class MeasuringRig {
   std::int64_t next_ = 0;
 };
 
-// Returns six logs of different amplitudes.
 std::vector<log::Log> sixLogs(double duration) {
   std::vector<log::Log> logs;
   for (const double scale : {1.0, 0.3, 0.6, 0.15, 0.8, 0.45}) {

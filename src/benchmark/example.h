@@ -17,8 +17,7 @@ constexpr double kStep = 1e-3;  ///< sampling interval [s]
 /// reverses about 20 times per second.
 std::vector<double> benchmarkDisplacement(std::size_t samples);
 
-/// Kinds of stamps: every millisecond, or at random steps of 0.7 to 1.3 ms (with a fixed seed), of which consecutive
-/// ones always differ.
+/// Stamps every millisecond, or at random steps of 0.7 to 1.3 ms (with a fixed seed) that differ from one to the next.
 enum class Stamps { even, uneven };
 std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples);
 
@@ -36,7 +35,6 @@ struct ExampleParameters {
   /// Returns these parameters with all stiffnesses multiplied by one factor and the friction force by another.
   ExampleParameters scaled(double by_stiffness, double by_force) const;
 
-  /// Returns the parameters as entries of a component file.
   std::vector<element::ElementDescription> elements() const;
 };
 
@@ -55,8 +53,7 @@ struct ExampleRun {
   void simulateWholeLog();
 };
 
-/// Returns laws of six directions with the elements of ExampleParameters. If the directions are coupled, their friction
-/// is `iwan`.
+/// Returns laws of six directions with the elements of ExampleParameters; coupled directions have `iwan` as friction.
 component::SixDirectionsLaws exampleBush(component::Coupling coupling);
 
 }  // namespace rubber_suspension::benchmark

@@ -26,8 +26,7 @@ void addComponent(std::vector<Work>& all, std::size_t samples) {
   add("a log offline, `simulateLog`", even, &ExampleRun::simulateWholeLog);
 }
 
-// Returns the work of stepping several components, or bushes of six directions, together along one path of
-// displacements or poses.
+// Returns the work of stepping components, or bushes of six directions, together along displacements or poses.
 template <class Component, class Position>
 Work ticksOf(const std::string& name, const std::string& unit, const std::vector<Component>& components,
              const std::vector<Position>& path) {

@@ -17,8 +17,7 @@ struct Work {
   Clock clock = Clock::thread;
 };
 
-/// Returns simulations over `samples` of one component, of 1000 components and of one of six directions, and an
-/// estimation.
+/// Returns an estimation, and simulations of one component, of 1000 components and of a bush of six directions.
 std::vector<Work> forces(std::size_t samples);
 
 /// Returns two diagnoses of six logs of this duration [s], in one thread and in two threads, timed by the wall clock.

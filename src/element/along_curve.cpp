@@ -21,7 +21,6 @@ double momentOverStep(double x, const Relaxation& relaxation) {
                      : 1.0 / 2 - x * (1.0 / 3 - x * (1.0 / 8 - x * (1.0 / 30 - x * (1.0 / 144 - x * (1.0 / 840)))));
 }
 
-// Returns the row of the parameter `displacement`, which all three laws have.
 ParameterInfo pointsParameter() {
   return {
       "displacement", "m", Role::choice, Range::any(), "displacements of the points, not decreasing; constant outside",
@@ -115,8 +114,7 @@ class DashpotAlongCurve final : public ParallelElement {
 
 /// Simulates a bank of Jenkins sliders whose force is multiplied by a factor b(z) >= 0, which is linear between points
 /// as in MaxwellAlongCurve. The sliders slide at the same displacements at every preload. A slider at the position s
-/// stores the integral of b k (z - s) over z from s and dissipates energy while it slides. The sources are given at
-/// SliderBank.
+/// stores the integral of b k (z - s) over z from s and dissipates energy while it slides. Sources: see SliderBank.
 class SlidersAlongCurve final : public ParallelElement {
  public:
   SlidersAlongCurve(std::vector<JenkinsSlider> sliders, PositionTable factor /* b(z) [-] */)

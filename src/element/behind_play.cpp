@@ -48,7 +48,6 @@ struct Slider {
 
   double yield_displacement;  ///< y [m]
 
-  /// Returns the stretch of the spring [m] at the end of a step.
   double stretch(const Motion& motion, double gap, double& place) const {
     const double reach = gap + yield_displacement;
     place = std::clamp(place, motion.displacement - reach, motion.displacement + reach);

@@ -5,11 +5,10 @@
 
 namespace rubber_suspension::element {
 
-/// Documentation of the parameter `dead_band` of several laws.
 constexpr const char* kDeadBand = "ten standard deviations of the displacement's noise; 0 for simulated displacements";
 
-/// Returns the displacement [m] behind play of total width `dead_band` [m]. `before` is the displacement [m] behind the
-/// play at the last sample.
+/// Returns the displacement [m] behind play of total width `dead_band` [m]; `before` is the last displacement behind
+/// it.
 inline double followed(double displacement, double dead_band, double before) {
   return std::clamp(before, displacement - 0.5 * dead_band, displacement + 0.5 * dead_band);
 }

@@ -22,7 +22,6 @@ auto each(const List& list, const Function& of) {
   return result;
 }
 
-/// Returns the entries that meet a condition.
 template <class Entry, class Condition>
 std::vector<Entry> those(const std::vector<Entry>& list, const Condition& holds) {
   std::vector<Entry> result;

@@ -5,8 +5,7 @@ namespace rubber_suspension::element {
 namespace {
 
 /// Simulates F = r t with the time t since the start. The dynamic stiffness is 0, since the force is independent of z.
-/// Validity: the linear trend of one log, since the drift of a load cell that warms up levels off later. Memory: the
-/// time.
+/// Validity: the linear trend of one log, since the drift of a load cell that warms up levels off. Memory: the time.
 class ForceDrift final : public ParallelElement {
  public:
   explicit ForceDrift(double rate /* r [N/s] */) : rate_(rate) {}

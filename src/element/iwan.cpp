@@ -52,8 +52,7 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
   for (int i = 0; i < count; ++i) {
     JenkinsSlider& slider = sliders[static_cast<std::size_t>(i)];
     slider.yield_displacement = displacement * std::pow(ratio, i + 1 - middle);
-    // First the slope of the chord up to this yield displacement; then the next slope is subtracted, which leaves the
-    // stiffness of the slider.
+    // The slope of the chord that ends here; the stiffness of a slider is its chord's slope minus the next slope.
     slider.stiffness =
         (hyperbola(slider.yield_displacement) - hyperbola(previous)) / (slider.yield_displacement - previous);
     if (i > 0) {

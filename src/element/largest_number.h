@@ -8,8 +8,7 @@
 
 namespace rubber_suspension::element {
 
-/// Largest magnitude [SI] in any Range, which exceeds the values of any component. Powers of larger numbers would
-/// overflow.
+/// Largest magnitude [SI] in any Range, beyond the values of any component. Powers of larger numbers would overflow.
 constexpr double kLargestNumber = 1e30;
 
 /// Smallest positive value [SI] in a Range without negative values, which is below the values of any component. 0 is

@@ -33,8 +33,7 @@ class NonlinearMaxwell final : public ParallelElement {
   Part part() const override { return Part::viscous; }
 
  private:
-  // Returns the force after dF/dt = -F/tau (|F|/(k y))^p, whose solution is simple because |F|^-p grows at the constant
-  // rate p/(tau (k y)^p).
+  // Returns the force after dF/dt = -F/tau (|F|/(k y))^p, in which |F|^-p grows at the constant rate p/(tau (k y)^p).
   double yielded(double force, double relaxation_times) const {
     const double share = std::abs(force) / force_;
     if (power_ == 1.0) {

@@ -24,7 +24,6 @@ class PositionDashpot final : public SmoothRateDashpot {
     return dampingAt(motion.displacement) * rateAfter(motion, memory);
   }
 
-  /// Returns the damping [N s/m] at a displacement [m].
   double dampingAt(double displacement) const {
     return damping_ * std::pow(std::max(0.0, 0.5 * (1.0 + displacement / reference_)), power_);
   }

@@ -18,7 +18,6 @@ class PowerDashpot final : public SmoothRateDashpot {
 
   double step(const Motion& motion, double* memory) const override { return force(rateAfter(motion, memory)); }
 
-  /// Returns the force [N] at a rate [m/s].
   double force(double rate) const {
     return std::copysign(damping_ * reference_rate_ * std::pow(std::abs(rate) / reference_rate_, exponent_), rate);
   }

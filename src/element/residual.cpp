@@ -159,8 +159,7 @@ void ResidualBasis::initialise(double displacement, double* memory) const {
   memory[kAmplitude] = std::abs(memory[kShare]);
 }
 
-// Approximates exp(-x) by 1/(1 + x + x^2/2), and its mean over the step accordingly. Both approximations are positive
-// at any step length.
+// Approximates exp(-x) by 1/(1 + x + x^2/2), and its mean accordingly. Both are positive at any step length.
 void ResidualBasis::prepare(double dt, double* memory) const {
   memory[kStepLength] = dt;
   memory[kAmplitudeDecay] = layout_.amplitude_time / (layout_.amplitude_time + dt);

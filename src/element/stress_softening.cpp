@@ -10,7 +10,6 @@ namespace {
 
 enum SofteningSlot { kLargest, kReach };
 
-// Returns std::pow(base, exponent), faster for the exponents that fits try most.
 double powerOf(double base, double exponent) {
   if (exponent == 1.0) {
     return base;
@@ -18,8 +17,7 @@ double powerOf(double base, double exponent) {
   return exponent == 2.0 ? base * base : std::pow(base, exponent);
 }
 
-// Returns tanh with a small absolute error, which suffices for a factor and costs less than a small relative error near
-// 0.
+// Returns tanh with a small absolute error, which suffices for a factor and costs less than a small relative error.
 double tanhOf(double value) { return 1.0 - 2.0 / (1.0 + std::exp(2.0 * value)); }
 
 /// Multiplies the force of the test piece by 1 - R(S) tanh(u/w)/tanh(1/w), u = 1 - |z/S|^a for |z| < S, or by 1 for |z|
@@ -91,7 +89,6 @@ class StressSoftening final : public ForceEffect {
     return factor(motion.displacement, memory[kReach]);
   }
 
-  /// Returns the factor at a displacement [m] for a softened reach [m].
   double factor(double displacement, double reach) const {
     if (std::abs(displacement) >= reach) {
       return 1.0;

@@ -26,7 +26,6 @@ bool hasPart(const std::string& name, const std::string& part) {
   return (at == 0 || isSeparator(name, at - 1)) && (end == name.size() || isSeparator(name, end));
 }
 
-// Returns the known word with the smallest edit distance, or nullopt if this distance exceeds a limit.
 std::optional<std::string> nearestWithin(const std::string& word, const std::vector<std::string>& known) {
   std::optional<std::string> nearest;
   std::size_t least = 0;
@@ -42,7 +41,6 @@ std::optional<std::string> nearestWithin(const std::string& word, const std::vec
   return nearest;
 }
 
-// Symbols of the literature with their names in component files.
 const std::vector<std::pair<std::string, std::string>>& symbols() {
   static const std::vector<std::pair<std::string, std::string>> table = {{"m1", "kelvin_voigt"},
                                                                          {"m2", "maxwell"},

@@ -7,7 +7,6 @@
 
 namespace rubber_suspension::element {
 
-/// Returns the names of the rows of a table.
 template <class Rows>
 std::vector<std::string> namesOf(const Rows& rows) {
   std::vector<std::string> names;

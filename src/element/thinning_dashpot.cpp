@@ -17,7 +17,6 @@ class ThinningDashpot final : public SmoothRateDashpot {
 
   double step(const Motion& motion, double* memory) const override { return force(rateAfter(motion, memory)); }
 
-  /// Returns the force [N] at a rate [m/s].
   double force(double rate) const { return damping_ * rate / (1.0 + std::abs(rate) / half_rate_); }
 
  private:

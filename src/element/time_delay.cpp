@@ -10,8 +10,7 @@ namespace {
 constexpr double kLongestAdvance = 0.02;  // [s]
 constexpr double kLongestDelay = 0.05;    // [s]
 constexpr int kSamples = 256;
-// The ring covers at least this number of spacings, since two consecutive intervals together exceed one spacing (see
-// store()).
+// The ring covers at least this number of spacings, since two consecutive intervals exceed one spacing (see store()).
 constexpr int kSpacings = kSamples / 2 - 2;
 
 // Memory: the time since the start, the index of the newest sample, the number of samples, times and displacements.
@@ -72,8 +71,7 @@ class TimeDelay final : public DisplacementEffect {
   bool passive() const override { return false; }
 
  private:
-  // Stores a sample. It replaces the newest stored one if it is within one spacing of the stored sample before that
-  // one.
+  // Stores a sample, which replaces the newest one if it is within one spacing of the sample before the newest.
   void store(double time, double displacement, double* memory) const {
     int newest = static_cast<int>(memory[kNewest]);
     const bool replace = memory[kCount] >= 2.0 && time - memory[kTimes + before(newest)] < delay_ / kSpacings;

@@ -13,8 +13,7 @@ namespace {
 
 enum NetworkSlot { kNetworkForce, kIntact, kNetworkPlace };
 
-// Returns (exp(-a dt) - exp(-b dt))/(b - a) without cancellation, the integral of exp(-a t) exp(-b (dt - t)) over a
-// step.
+// Returns (exp(-a dt) - exp(-b dt))/(b - a) without cancellation: the integral of exp(-a t) exp(-b (dt - t)).
 double overlap(double a, double b, double dt) {
   return std::exp(-std::min(a, b) * dt) * dt * Relaxation::over(std::abs(a - b) * dt).mean;
 }

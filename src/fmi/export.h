@@ -9,7 +9,6 @@
 
 namespace rubber_suspension::fmi {
 
-/// A file in an archive: its path, with slashes, and its content.
 struct ArchiveEntry {
   std::string path;
   std::string content;
@@ -25,8 +24,7 @@ struct FmuParts {
   std::string windows_binary = {};  ///< path of the library for Windows; empty if it was not built
 };
 
-/// Returns the parts that were built with the calling program and are beside it. The library for Windows is included if
-/// it exists.
+/// Returns the parts that are beside the calling program, including the library for Windows if it exists.
 FmuParts installedParts();
 
 /// Returns the data of a component for an FMU, with complete elements. The GUID depends on the description of the

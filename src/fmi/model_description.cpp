@@ -17,7 +17,6 @@
 namespace rubber_suspension::fmi {
 namespace {
 
-// Names and values of XML attributes. Entries with an empty name are not written.
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 std::string number(double value) { return fmt::format("{}", value); }
@@ -29,7 +28,6 @@ bool isCalculated(const Variable& variable) {
   return isOutput(variable) || variable.causality == Causality::calculated_parameter;
 }
 
-// Returns name, meaning and kind, which have the same attributes in both versions.
 Attributes commonAttributes(const Variable& variable, Reference reference) {
   static const char* const causalities[] = {"independent", "input", "output", "parameter", "calculatedParameter"};
   const bool is_parameter = variable.causality >= Causality::parameter;
@@ -41,7 +39,6 @@ Attributes commonAttributes(const Variable& variable, Reference reference) {
           {is_parameter || isOutput(variable) ? "initial" : "", isCalculated(variable) ? "calculated" : "exact"}};
 }
 
-// Returns unit, range and start value, which have the same attributes in both versions.
 Attributes valueAttributes(const Variable& variable) {
   return {{variable.unit == "1" ? "" : "unit", variable.unit},
           {std::isfinite(variable.range.lower) ? "min" : "", number(variable.range.lower)},
@@ -102,8 +99,7 @@ class Description {
     });
     element("DefaultExperiment", {{"startTime", "0"}, {"stepSize", "0.001"}});
     element("ModelVariables", {}, [this] { writeVariables(); });
-    // At a communication point the outputs result from the last step. They depend on the present input only during the
-    // initialisation.
+    // At a communication point the outputs result from the last step. Only initial outputs depend on the present input.
     element("ModelStructure", {}, [this] {
       writeUnknowns("Output", isOutput, "dependencies");
       writeUnknowns("InitialUnknown", isCalculated, "");

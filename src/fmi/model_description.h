@@ -8,7 +8,6 @@
 
 namespace rubber_suspension::fmi {
 
-/// Version of the FMI standard.
 enum class Version { fmi2, fmi3 };
 
 /// Returns the text of modelDescription.xml, in UTF-8. `tool` is the name and version of the exporter.

@@ -25,7 +25,6 @@ std::optional<std::uint64_t> numberIn(const std::string& path, const std::string
   return file >> value ? std::optional<std::uint64_t>(value) : std::nullopt;
 }
 
-// Names of the files in which a control group states its limit and its usage.
 struct GroupFiles {
   const char* limit;
   const char* usage;

@@ -6,14 +6,13 @@
 
 namespace rubber_suspension::io {
 
-/// Thrown if the work is cancelled.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled, because the process ends") {}
 };
 
-/// While an object exists, checkCancelled() in the same thread calls its function `stop`. A nested object replaces the
-/// outer object.
+/// While an object exists, checkCancelled() in the same thread calls its `stop`. Of nested objects, it asks the
+/// innermost.
 class Cancellable {
  public:
   explicit Cancellable(std::function<bool()> stop);

@@ -18,7 +18,6 @@ namespace {
 
 using element::namesOf;
 
-// Returns the direction that a key names. The key must be valid.
 component::Direction directionOf(const YAML::Node& key) { return *component::directionFromString(key.Scalar()); }
 
 std::vector<std::string> directionNames() {
@@ -36,7 +35,6 @@ Eigen::Isometry3d frameOf(const component::SixNumbers& numbers, component::Rotat
   return frame;
 }
 
-// Reads one file.
 class Loader : public SpecificationReader {
  public:
   explicit Loader(std::string source) : SpecificationReader(std::move(source), "a component file", "components") {}

@@ -8,7 +8,6 @@ namespace rubber_suspension::io {
 
 constexpr std::size_t kMaximumNameLength = 100;
 
-/// A law of the temperature dependence and its name in the key `temperature`.
 struct ShiftLaw {
   std::string name;
   std::string type;  ///< element type of the law
@@ -23,8 +22,7 @@ const std::vector<std::string> kAxes = {"x", "y", "z"};
 
 constexpr const char* kGuess = "guess";  // value of the key `tolerance`
 
-/// Returns true for a name of at most kMaximumNameLength characters: a letter followed by letters, digits and
-/// underscores.
+/// Returns true for a letter followed by at most kMaximumNameLength - 1 letters, digits and underscores.
 bool isBaseName(const std::string& name);
 
 }  // namespace rubber_suspension::io

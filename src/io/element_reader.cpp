@@ -20,8 +20,7 @@ using element::namesOf;
 
 constexpr const char* kVertical = "vertical";
 
-// Describes the range of a parameter in the unit that the user wrote. This unit must have the dimension of the
-// parameter.
+// Describes the range of a parameter in the user's unit, which must have the dimension of the parameter.
 std::string acceptedIn(const std::string& unit, const element::ParameterInfo& parameter) {
   if (unit.empty()) {
     return accepted(parameter);

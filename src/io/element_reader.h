@@ -6,7 +6,6 @@
 
 namespace rubber_suspension::io {
 
-/// Returns the names of the models in the order of estimation::Model.
 std::vector<std::string> modelNames();
 
 /// Describes the accepted values of a parameter, as in "a number > 0, in N/m, or text with such a unit".
@@ -15,7 +14,6 @@ std::string accepted(const element::ParameterInfo& parameter);
 /// Returns a ParameterInfo for a number or a list of numbers in this unit, for values that have no row in a table.
 element::ParameterInfo anyNumber(const std::string& unit, element::Range range = element::Range::any());
 
-/// Reads elements by means of the table of elements.
 class ElementReader : public YamlReader {
  protected:
   using YamlReader::YamlReader;

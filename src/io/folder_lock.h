@@ -9,8 +9,8 @@
 namespace rubber_suspension::io {
 
 /// Locks a folder for this process by means of an advisory lock (flock), which the system releases when the process
-/// ends. Creates the folder if it is missing. In this case the destructor, or SIGINT, SIGTERM or SIGHUP, removes the
-/// folder again if it is empty.
+/// ends. Creates the folder if it is missing. Then the destructor, SIGINT, SIGTERM or SIGHUP removes it again if it is
+/// empty.
 class FolderLock {
  public:
   /// Throws OutputRefused if another process, or another object in this process, has locked the folder. Throws

@@ -79,8 +79,7 @@ std::pair<std::string, unsigned long> numberedName(const std::string& folder) {
   return numbered ? std::pair(folder.substr(0, bar + 1), std::stoul(digits)) : std::pair(folder + "_", 1UL);
 }
 
-// Returns true if both files have the same content. Only regular files are compared, because a pipe can be read only
-// once.
+// Returns true for regular files with the same content. A pipe is not compared, because it can be read only once.
 bool isCopy(const std::string& one, const std::string& other) {
   std::error_code error;
   if (!fs::is_regular_file(one, error) || !fs::is_regular_file(other, error) ||

@@ -58,7 +58,6 @@ inline constexpr FileKind rpc = {"a file of RPC III", {std::string_view("FORMAT\
 
 }  // namespace file_kind
 
-/// A file that a command reads, with the option that names it.
 struct InputFile {
   std::string option;
   std::string path;
@@ -89,7 +88,6 @@ void checkOutputs(const std::vector<InputFile>& inputs, const std::vector<Output
 /// input is read.
 void refuseEqualLogs(const std::vector<InputFile>& logs);
 
-/// Returns true if the file is of this kind.
 bool isOfKind(const std::string& path, const FileKind& kind);
 
 /// Creates a folder and its parents; returns true if it did not exist. Throws std::runtime_error.

@@ -18,7 +18,6 @@ std::size_t terminalWidth() {
   return known ? size.ws_col : 80;
 }
 
-// Replaces the current line of the terminal.
 void showLine(const std::string& text) {
   std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
   std::fflush(stderr);

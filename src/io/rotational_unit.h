@@ -5,8 +5,7 @@
 
 namespace rubber_suspension::io {
 
-/// Returns the SI unit of a rotation that corresponds to `unit` of a translation: rad for m, N m for N. Returns any
-/// other unit unchanged.
+/// Returns the SI unit of rotations that corresponds to `unit`: rad for m, N m for N, otherwise `unit`.
 std::string rotationalUnit(const std::string& unit);
 
 }  // namespace rubber_suspension::io

@@ -6,7 +6,6 @@
 
 namespace rubber_suspension::io {
 
-/// Result of a script.
 struct ScriptResult {
   bool succeeded = false;
   std::string last_error;  ///< the last line on its standard error

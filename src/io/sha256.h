@@ -6,7 +6,6 @@
 
 namespace rubber_suspension::io {
 
-/// Returns the hash as 64 hexadecimal digits.
 std::string sha256(const std::string& text);
 
 struct FileHash {

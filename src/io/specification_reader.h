@@ -5,7 +5,6 @@
 
 namespace rubber_suspension::io {
 
-/// Reads specifications by means of the table of their keys.
 class SpecificationReader : public ElementReader {
  protected:
   using ElementReader::ElementReader;

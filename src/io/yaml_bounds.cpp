@@ -78,9 +78,8 @@ class ValueCounter : public YAML::EventHandler {
   std::map<YAML::anchor_t, std::size_t> sizes_;  // entry 0, for values without an anchor, is never read
 };
 
-// Returns the line at which a text is nested more deeply than any file of this package. The check is needed because the
-// parser is recursive, in some versions without a limit. It also counts brackets in quotes and comments, of which real
-// files contain few.
+// Returns the line at which a text is nested more deeply than any file of this package. In some versions the parser
+// recurses without a limit. Brackets in quotes and comments count, but real files have few.
 std::optional<int> lineNestedTooDeep(const std::string& text) {
   int line = 1;
   int brackets = 0;

@@ -14,15 +14,13 @@ namespace {
 
 constexpr const char* kMerge = "<<";
 
-// Returns a hint if a key is a number: in a flow map, a decimal comma separates entries, so that the digits after it
-// become a key.
+// Returns a hint if a key is a number, since in a flow map the digits after a decimal comma become a key.
 std::string decimalCommaHint(const std::string& key) {
   const bool digits = !key.empty() && key.find_first_not_of("0123456789eE+-") == std::string::npos;
   return digits ? " (is there a decimal comma before it? use a decimal point)" : "";
 }
 
-// Returns the first line, at most `last`, that is indented with a tab, or -1 if there is none. Lines are counted from
-// 0.
+// Returns the first line, at most `last`, that is indented with a tab, or -1. Lines are counted from 0.
 int lineWithTab(const std::string& text, int last) {
   std::istringstream lines(text);
   std::string line;

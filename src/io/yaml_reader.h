@@ -74,10 +74,8 @@ class YamlReader {
 
   [[noreturn]] void refuse(const Entry& entry, const std::string& problem) const;
 
-  /// Refuses a node with a message that already contains the place.
   [[noreturn]] void refuseAt(const YAML::Node& node, const std::string& problem) const { refuse({node, ""}, problem); }
 
-  /// Refuses the content of an entry. The message quotes this content.
   [[noreturn]] void refuseContent(const Entry& entry, const std::string& accepted) const;
 
   void requireMap(const Entry& entry, const std::string& accepted = "a map") const;
@@ -88,10 +86,8 @@ class YamlReader {
   void checkKeys(const Entry& map, const std::vector<std::string>& names);
   void checkMap(const Entry& map, const std::vector<std::string>& names, const std::string& accepted = "a map");
 
-  /// Returns a key as an entry with the path of its value.
   static Entry keyOf(const Entry& map, const YAML::Node& key) { return {key, map[key.Scalar()].path}; }
 
-  /// Reads the keys of a map in the order of `keys`.
   template <class Target>
   void read(const Entry& map, const std::vector<Key<Target>>& keys, Target& target, const char* accepted = "a map") {
     checkMap(map, element::namesOf(keys), accepted);
@@ -105,7 +101,6 @@ class YamlReader {
     }
   }
 
-  /// Reads a list of maps. `load` reads each map.
   template <class Value, class Load>
   std::vector<Value> loadMaps(const Entry& list, Load load) {
     if (!list.node.IsSequence() || list.node.size() == 0 || list.node.size() > kMaximumElements) {

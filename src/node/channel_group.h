@@ -41,7 +41,6 @@ class ChannelGroup {
     return states;
   }
 
-  /// Resets all channels to new components at rest.
   void reset() {
     const Alone lock(mutex_);
     std::for_each(channels_.begin(), channels_.end(), [](ComponentChannel* channel) { channel->reset(); });

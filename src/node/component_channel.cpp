@@ -74,8 +74,6 @@ class ComponentChannel::Model {
     six ? order(six->stream) : order(one->stream);
   }
 
-  // Returns the elements or, for six directions, the hash of the description, because elements alone do not identify
-  // them.
   ModelIdentity identity() const {
     return six ? ModelIdentity{{}, sha256} : ModelIdentity{one->component.elements(), ""};
   }

@@ -19,7 +19,6 @@
 
 namespace rubber_suspension::node {
 
-/// State of the sample stream of a model.
 struct SavedStream {
   bool started = false;       ///< false before the first sample; then the other values have no meaning
   std::int64_t stamp = 0;     ///< stamp of the last accepted sample [ns]
@@ -100,24 +99,20 @@ class ComponentChannel {
 
   const std::string& name() const { return name_; }
 
-  /// Returns true if the samples are poses instead of displacements.
   bool hasSixDirections() const { return has_six_; }
 
-  /// Processes a sample with a stamp [ns] and a displacement [m]. Returns false and counts the reason if no force is to
-  /// be sent.
+  /// Processes a displacement [m] with a stamp [ns]. Returns false and counts the reason if no force is to be sent.
   bool push(std::int64_t stamp, double displacement, element::ComponentForce& force);
 
-  /// Processes a pose in the same way: position [m] and rotation of body B in body A. `wrench` [N, N m] acts on B, in
-  /// A's axes.
+  /// Processes the pose of body B in body A: position [m] and rotation. `wrench` [N, N m] acts on B, in A's axes.
   bool push(std::int64_t stamp, const Eigen::Vector3d& position, const Eigen::Quaterniond& rotation,
             component::Wrench& wrench);
 
-  /// Adds a measured wrench on B at B's origin, in A's axes. It is compared with the wrench of the pose of the same
+  /// Adds a measured wrench on B at B's origin, in A's axes, to be compared with the simulated wrench of the same
   /// stamp.
   void addMeasured(std::int64_t stamp, const component::Wrench& wrench);
 
-  /// Returns the matched samples of the last `seconds` for each direction. For six directions they contain generalised
-  /// forces.
+  /// Returns for each direction the matched samples of the last `seconds`, for six directions with generalised forces.
   std::vector<std::vector<MatchedSample>> windows(double seconds) const;
 
   /// Sets the temperature [degC] of the samples from a stamp [ns] on. If the component's shift is not valid at this
@@ -127,10 +122,8 @@ class ComponentChannel {
   /// Counts the time from the arrival of a sample to the publication of its answer [ns].
   void countLatency(std::int64_t nanoseconds) { latency_.add(nanoseconds); }
 
-  /// Counts samples that were sent but never arrived.
   void countLost(std::uint64_t samples);
 
-  /// Resets to a new component at rest.
   void reset();
 
   /// Enables or disables the component. While it is disabled, it answers no sample and keeps its state.
@@ -138,8 +131,7 @@ class ComponentChannel {
 
   SavedState save() const;
 
-  /// Throws std::invalid_argument if the state does not belong to this component. Returns the second model in the
-  /// state, or null.
+  /// Returns the second model in the state, or null. Throws std::invalid_argument for a state of another component.
   std::shared_ptr<Promotion> checkState(const SavedState& state) const;
 
   /// Continues from a state. If the state is refused, throws as checkState() and changes nothing.
@@ -149,8 +141,7 @@ class ComponentChannel {
   class Model;
   static std::shared_ptr<Model> makeModel(const io::ComponentDescription& description, double max_gap);
 
-  /// Replaces the configured model. A new model with the same elements continues from the present state; any other
-  /// begins as a new component.
+  /// Replaces the configured model. Only a model with the same elements continues from the present state.
   void exchange(const std::shared_ptr<Model>& model);
 
   /// Computes a second model in parallel to the configured model (shadow) and then replaces the configured model by a

@@ -1,5 +1,4 @@
-// Matches measured to simulated forces by stamp, and stores the last seconds of samples for the live gap. Independent
-// of ROS.
+// Matches measured to simulated forces by stamp, and stores the last seconds for the live gap. Independent of ROS.
 #pragma once
 
 #include <array>
@@ -14,7 +13,6 @@
 
 namespace rubber_suspension::node {
 
-/// A displacement with simulated and measured force at one stamp.
 struct MatchedSample {
   std::int64_t stamp = 0;                                    ///< [ns]
   double displacement = 0.0;                                 ///< [m]
@@ -29,9 +27,8 @@ struct MatchCounters {
   std::uint64_t not_finite = 0;  ///< number of measured forces not finite or beyond element::kLargestNumber
 };
 
-/// Matches samples and measured forces, which may come from different threads in any order. Before the first measured
-/// force, it does nothing. After that it locks for one sample at a time, and allocates only for samples beyond
-/// kCapacity.
+/// Matches samples and measured forces, which may come from different threads in any order. Does nothing before the
+/// first measured force. Then locks for one sample at a time, and allocates only beyond kCapacity.
 class GapMonitor {
  public:
   static constexpr std::size_t kCapacity = 32768;  ///< samples stored by default: 32 s at 1 kHz, 3 s at 10 kHz
@@ -49,7 +46,6 @@ class GapMonitor {
   /// Adds a measured force [N] with a stamp [ns]. Returns false if it is not finite or beyond element::kLargestNumber.
   bool addMeasured(std::int64_t stamp, double force);
 
-  /// Discards all samples. The counters remain.
   void clear();
 
   /// Returns the matched samples of the last `window` [s], in order.
@@ -62,7 +58,6 @@ class GapMonitor {
 
   MatchCounters counters() const;
 
-  /// Returns the errors of both models since the last clearPairedErrors().
   PairedErrors pairedErrors() const;
   void clearPairedErrors();
 

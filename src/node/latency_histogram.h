@@ -15,8 +15,7 @@ class LatencyHistogram {
   std::uint64_t count() const { return count_; }
   double maximum() const { return 1e-9 * static_cast<double>(maximum_); }  ///< [s]
 
-  /// Returns the upper edge [s] of the bucket that contains the percentile of a fraction (0 to 1), or 0 without
-  /// samples.
+  /// Returns the upper edge [s] of the bucket that contains the percentile of a fraction (0 to 1); 0 without samples.
   double percentile(double fraction) const {
     const double wanted = std::max(1.0, std::ceil(fraction * static_cast<double>(count_)));
     double seen = 0.0;
@@ -51,7 +50,6 @@ class LatencyCounter {
     }
   }
 
-  /// Returns the durations counted since the last call.
   LatencyHistogram take() {
     LatencyHistogram result;
     for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {

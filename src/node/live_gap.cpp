@@ -62,8 +62,7 @@ void measure(const std::vector<MatchedSample>& samples, SimulatedForce force, io
   const double scale = std::sqrt(record.counted()) * record.force_deviation;
   gap.gap = residual.norm() / scale;
   gap.gap_as_recorded = error.norm() / scale;
-  // Slow noise does not count, because it could not be distinguished from errors of the model, which is not fitted
-  // here.
+  // Slow noise does not count, because it could not be distinguished from errors of the model.
   gap.noise_floor = std::min(gap::whiteNoiseFloor(record, residual), gap.gap);
   gap.beyond_noise = gap::residualAboveFloor(gap.gap, gap.noise_floor);
   gap.cells = gap::gapMap({record}, {residual}, {gap.noise_floor});

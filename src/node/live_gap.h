@@ -54,7 +54,6 @@ using SimulatedForce = double MatchedSample::*;
 LiveGap measureGap(const std::vector<MatchedSample>& window, const GapSettings& settings,
                    const io::RigTolerances& tolerances = {}, SimulatedForce force = &MatchedSample::simulated);
 
-/// Follows the gap from report to report.
 class GapTracker {
  public:
   explicit GapTracker(const GapSettings& settings, const io::RigTolerances& tolerances = {})

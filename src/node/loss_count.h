@@ -29,8 +29,7 @@ class LossCount {
     window_.push_back(message);
   }
 
-  /// Ends the hand-over. Call this when all queues contain the message. Returns true if a queue has lost the oldest
-  /// message.
+  /// Ends the hand-over, when all queues contain the message. Returns true if a queue has lost the oldest message.
   bool end() {
     const long before = std::exchange(holders_, 0);
     return before > 0 && window_.front().use_count() < before;

@@ -24,8 +24,7 @@ class Fields {
     data_ += fit_ ? size : 0;
   }
 
-  // Reads a length from four bytes, of which the least significant is first. Fails and returns 0 if the length exceeds
-  // `most`.
+  // Reads a length of four bytes, the least significant first. Fails and returns 0 if the length exceeds `most`.
   std::size_t length(std::size_t most) {
     const std::uint8_t* const at = data_;
     skip(kLength);

@@ -15,7 +15,6 @@ constexpr std::size_t kLongestComponentName = 100;  ///< bytes, as in component 
 template <std::size_t kNumbers>
 bool isStamped(const std::uint8_t* data, std::size_t size);
 
-/// Type of a function that checks messages.
 using MessageCheck = bool(const std::uint8_t* data, std::size_t size);
 
 constexpr std::size_t kPoseNumbers = 7;    ///< position and quaternion

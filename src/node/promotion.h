@@ -1,5 +1,4 @@
-// Replacement of the configured model by a second model, which is first computed in parallel and then cross-faded in.
-// Independent of ROS.
+// Replacement of the configured model by a second model: in parallel, then by a cross-fade. Independent of ROS.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +64,6 @@ class CrossFade {
   void take() { enter(RunStage::promoting); }
   void giveBack();  ///< begins the cross-fade to the configured model, which is immediate at weight 0
 
-  /// Returns to the configured model at once.
   void end();
 
   /// Returns the published force for the forces of both models.
@@ -81,7 +79,6 @@ class CrossFade {
   std::int64_t last_ = std::numeric_limits<std::int64_t>::min();
 };
 
-/// Returns a sentence with the RMS errors of both models.
 std::string describeErrors(const PairedErrors& errors);
 
 }  // namespace rubber_suspension::node

@@ -19,8 +19,7 @@ void requireRegularFile(const std::string& path);
 /// Returns the content of a regular file of at most `most` bytes. Throws FileError, also for a symbolic link.
 std::string readRegularFile(const std::string& path, std::size_t most);
 
-/// Replaces a regular file, or writes a new file, atomically even if the power fails. Throws FileError, also for a
-/// symbolic link.
+/// Writes a regular file atomically, even if the power fails. Throws FileError, also for a symbolic link.
 void replaceRegularFile(const std::string& path, const std::string& text);
 
 }  // namespace rubber_suspension::node

@@ -59,7 +59,6 @@ std::invalid_argument wrong(const std::string& key, const json& value, const std
   return std::invalid_argument(fmt::format("{}: {}; accepted: {}", key, shown, accepted));
 }
 
-// Returns the value of a key. Throws if the value has another type.
 template <class Value>
 Value valueOf(const std::string& key, const json& value, const std::string& accepted) {
   try {

@@ -1,5 +1,4 @@
-// The file in which the node stores the states of its components, in order to continue from them later. Independent of
-// ROS.
+// The file in which the node stores the states of its components, to continue from them later. Independent of ROS.
 #pragma once
 
 #include <cstddef>

@@ -16,8 +16,7 @@ class TemperatureFeed {
   static constexpr std::size_t kMostWaiting =
       1024;  ///< largest number of temperatures ahead of their samples; beyond, the oldest is dropped
 
-  /// Adds a temperature [degC] with a stamp [ns]. A stamp before the newest one begins a new replay and discards all
-  /// temperatures that wait.
+  /// Adds a temperature [degC]. A stamp [ns] before the newest begins a new replay and discards waiting temperatures.
   void add(std::int64_t stamp, double temperature) {
     if (waiting_.capacity() == 0) {
       waiting_.set_capacity(kMostWaiting);

@@ -1,5 +1,4 @@
-// Code that the parts of the Python module share: conversions of values, and functions that add each part to the
-// module.
+// Code that the parts of the Python module share: conversions of values, and functions that add the parts.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -15,7 +14,6 @@ namespace rubber_suspension::python {
 
 namespace py = pybind11;
 
-/// An array of doubles.
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Returns the values of any object that NumPy converts to an array of real numbers of one dimension. Throws

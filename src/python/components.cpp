@@ -1,5 +1,4 @@
-// Components in Python: functions that load, estimate or make them from elements, step them, and simulate them over
-// arrays.
+// Components in Python: loaded from files, estimated or made from elements, stepped, and simulated over arrays.
 #include <fmt/format.h>
 #include <pybind11/complex.h>
 #include <pybind11/numpy.h>
@@ -20,7 +19,6 @@ namespace {
 
 using io::ComponentDescription;
 
-// A component with its state.
 class Motion {
  public:
   Motion(std::shared_ptr<const component::Component> component, double displacement)
@@ -61,8 +59,7 @@ class Motion {
   element::ComponentForce force_{};
 };
 
-// Returns the forces of a component that starts at rest at the first displacement and steps to each of the following
-// ones.
+// Returns the forces of a component that is at rest at the first displacement and then steps through all others.
 Array simulate(const ComponentDescription& description, const py::object& displacement, double dt) {
   Motion::requirePositive(dt);
   const std::vector<double> path = toVector(displacement, "displacement");

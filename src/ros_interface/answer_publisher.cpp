@@ -76,8 +76,7 @@ class AnswerLink : public ros::SubscriberLink {
     wake();
   }
 
-  // Waits until the network thread has passed on enough messages or ends. Nothing signals the end of the thread, so the
-  // wait polls for it.
+  // Waits until the network thread has passed on enough messages or has ended, for which the wait has to poll.
   void waitForRoom() {
     constexpr std::chrono::milliseconds kLook(10);
     const auto may_go_on = [&] { return published - handed_over_ < most_ahead_ || stopped_ || ros::isShuttingDown(); };
@@ -129,8 +128,7 @@ void NetworkTurns::end() {
   }
 }
 
-// Advertises the topic. Does so again if a subscriber connected before the link, whose losses would be missed
-// otherwise.
+// Advertises the topic, again if a subscriber connects before the link, because its losses would be missed.
 void AnswerPublisher::advertise(ros::NodeHandle& handle, ros::AdvertiseOptions& options) {
   int attempts = 0;
   do {

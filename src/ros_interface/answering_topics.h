@@ -52,7 +52,6 @@ class CheckedCallback : public ros::SubscriptionCallbackHelperT<const ros::Messa
 /// exist. Waits only while answers that fill more than half a queue wait for the network thread.
 class AnsweringTopics {
  public:
-  /// Stops receiving samples.
   void shutdown() {
     subscribers_.clear();
     publisher_.shutdown();

@@ -13,7 +13,6 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// The log of one component and the files for its records.
 struct BenchTrack {
   std::string component;
   log::Log log;
@@ -22,7 +21,6 @@ struct BenchTrack {
   std::string wrenches{};               ///< CSV file for the wrenches of the last pass; empty: none
 };
 
-/// Counts for one component, summed over all passes.
 struct BenchCount {
   std::string component;
   std::size_t of = 0;          ///< samples that were to be played
@@ -50,8 +48,7 @@ class BenchPlayer {
   /// exception is passed on.
   std::vector<BenchCount> play(std::size_t passes);
 
-  /// Returns the forces of a component in its last pass [N], one for every sample of its log. A force is 0 if there was
-  /// no answer.
+  /// Returns the forces of a component in its last pass [N], one for every sample of its log, 0 without an answer.
   const std::vector<double>& lastForces(std::size_t track) const { return last_forces_[track]; }
 
  private:

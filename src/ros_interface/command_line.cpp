@@ -45,8 +45,7 @@ std::string privateParameterOf(const std::string& argument) {
   return is_private ? argument.substr(1, end - 1) : "";
 }
 
-// Returns the address of the master, found as roscpp does. Throws if it is malformed; roscpp would end the process
-// instead.
+// Returns the address of the master as roscpp does, but throws if it is malformed, where roscpp would end the process.
 std::string masterUri(const std::vector<std::string>& arguments) {
   const std::string option = "__master:=";
   const char* const from_environment = std::getenv("ROS_MASTER_URI");

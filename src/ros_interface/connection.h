@@ -10,8 +10,7 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Executes the callbacks of the queue until the condition is true. Returns false if `timeout` [s] passes or ROS ends
-/// first.
+/// Executes the callbacks of the queue until the condition is true. Returns false after `timeout` [s] or if ROS ends.
 bool waitFor(ros::CallbackQueue& queue, double timeout, const std::function<bool()>& condition);
 
 /// Calls a service by means of a persistent connection. ros::service::call() is not used: it closes its connection
@@ -21,8 +20,7 @@ bool callService(const std::string& name, Service& service) {
   return ros::NodeHandle().serviceClient<Service>(name, true).call(service);
 }
 
-/// Waits at most `timeout` [s] for a service of type std_srvs/Trigger and calls it. Returns the reason of a failure, or
-/// an empty text.
+/// Waits at most `timeout` [s] for a service of type std_srvs/Trigger and calls it. Returns the reason of a failure.
 std::string callTrigger(const std::string& resolved_service, double timeout);
 
 /// Returns the resolved names of the components of those `simulate` nodes that answer bundles on this resolved topic

@@ -1,5 +1,4 @@
-// Comparison of the forces of a bench with a reference. The report has the XML format of GoogleTest, which rostest and
-// rosunit read.
+// Comparison of the forces of a bench with a reference, with a report in the XML format of GoogleTest for rostest.
 #pragma once
 
 #include <optional>
@@ -14,7 +13,6 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Result of one check.
 struct TestCase {
   std::string name;  ///< one word
   bool passed = false;
@@ -22,11 +20,9 @@ struct TestCase {
   double duration = 0.0;  ///< [s]
 };
 
-/// Returns the report of one test suite as XML.
 std::string testReportXml(const std::string& suite, const std::vector<TestCase>& cases);
 
-/// Returns the path from an option `xml:PATH`, which rostest passes to its tests. Throws std::invalid_argument, which
-/// states the accepted form.
+/// Returns the path from an option `xml:PATH`, which rostest passes to tests. Throws std::invalid_argument.
 std::string testReportPath(const std::string& gtest_output);
 
 /// Writes the report. Throws std::runtime_error.
@@ -41,8 +37,7 @@ struct ForceReference {
 /// Returns the measured force of the log. Throws std::invalid_argument if it has none.
 ForceReference measuredReference(const log::Log& log);
 
-/// Returns the force that the component of a component file has for the log, simulated offline. Throws as simulateLog()
-/// does.
+/// Returns the force of the component, simulated offline for the log. Throws as simulateLog() does.
 ForceReference simulatedReference(const component::Component& component, const log::Log& log,
                                   const std::string& config);
 
@@ -50,8 +45,7 @@ ForceReference simulatedReference(const component::Component& component, const l
 TestCase checkAnswers(const std::string& component, const log::Log& log, const PlayResult& result);
 
 /// Compares the bench's forces with the reference, without the first `skip` seconds of the log. Returns nullopt if a
-/// force is missing. Throws std::invalid_argument if no samples remain or the reference is constant over the remaining
-/// samples.
+/// force is missing. Throws std::invalid_argument if no samples remain or the reference is constant there.
 std::optional<gap::Agreement> compareForces(const log::Log& log, const ForceReference& reference,
                                             const PlayResult& result, double skip);
 

@@ -1,5 +1,4 @@
-// Interface of the live diagnosis. The node loads its library on request only, because nothing else in the node needs
-// fits.
+// Interface of the live diagnosis. The node loads its library on request only, because only the diagnosis needs fits.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -17,8 +16,7 @@ struct LiveDiagnoserSettings {
   int nice = 19;        ///< niceness of the thread
 };
 
-/// Diagnoses the samples that the channels store. It uses a thread of its own, and no other thread waits for this
-/// thread.
+/// Diagnoses the samples that the channels store, in a separate thread, for which no other thread waits.
 class LiveDiagnoser {
  public:
   virtual ~LiveDiagnoser() = default;

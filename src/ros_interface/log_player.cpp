@@ -255,8 +255,7 @@ void LogPlayer::sendPose(std::size_t sample) {
   }
 }
 
-// Sends all samples that are due. The time of a paused or stepped playback stands still, so that the next sample is due
-// when it continues.
+// Sends all samples that are due. During a pause time stands still, so that the next sample is due when it ends.
 void LogPlayer::sendWhatIsDue(io::Progress& progress) {
   const bool stepping = options_.control != nullptr && !options_.control->running();
   if (stepping && result_.sent < log_->size()) {
@@ -287,8 +286,7 @@ bool LogPlayer::waitForAnswers() {
   return waited <= options_.answer_timeout;
 }
 
-// Waits for surplus answers, which would come at once, and for the gap that includes the last sample, which the node
-// measures once per second.
+// Waits for surplus answers, which would come at once, and for a gap that includes the last sample.
 void LogPlayer::waitForLast() {
   constexpr double kLinger = 0.2;     // [s], many times a round trip
   constexpr double kPatience = 10.0;  // [s]

@@ -69,8 +69,7 @@ class LogPlayer {
 
   using Steady = std::chrono::steady_clock;
 
-  /// Waits for the node, as play() also does. Throws PlayError, which lists the components of a running node that does
-  /// not serve this component.
+  /// Waits for the node. play() calls this, too. Throws PlayError, also if a running node serves other components only.
   void connect();
 
   /// Plays a log that checkLog() accepts. The first sample is due at `start` (default: now). With `poses`, the log only

@@ -110,8 +110,7 @@ Reply callPeer(double limit, const std::string& uri, const std::string& method, 
   }
 }
 
-// Sends all calls to the master at once. roscpp makes one call after the other, which takes seconds for hundreds of
-// calls.
+// Sends all calls to the master at once, because hundreds of separate calls, as roscpp makes, take seconds.
 Reply callMaster(double limit, const XmlRpcValue& calls) {
   XmlRpcValue arguments;
   arguments[0] = calls;

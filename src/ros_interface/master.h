@@ -21,8 +21,8 @@ XmlRpc::XmlRpcValue callArguments(const std::vector<std::string>& arguments = {}
 
 /// Calls a method at an address (http://HOST:PORT) and waits for the answer at most `limit` [s] or until `stop` is set.
 /// Returns the answer, or nullopt if there is none or it is a fault. Masters and nodes answer [status, text, payload]
-/// with status 1 for success, but an answer may have any type: XmlRpcValue throws XmlRpcException if it is read as a
-/// type that it does not have.
+/// with status 1 for success, but an answer may have any type: XmlRpcValue throws XmlRpcException if it is read as
+/// another.
 std::optional<XmlRpc::XmlRpcValue> call(double limit, const std::string& uri, const std::string& method,
                                         const XmlRpc::XmlRpcValue& arguments, const std::atomic<bool>* stop = nullptr);
 
@@ -34,8 +34,7 @@ inline bool masterAnswers(double limit, const std::string& uri = ros::master::ge
 /// Names that are registered at the master, with the nodes that registered each name.
 using Registered = std::map<std::string, std::vector<std::string>>;
 
-/// Returns the names registered at the master for publishers, subscribers and services, or nullopt without a valid
-/// answer within `limit` [s].
+/// Returns the registered publishers, subscribers and services, or nullopt without a valid answer within `limit` [s].
 std::optional<std::array<Registered, 3>> registeredNames(double limit);
 
 /// Unregisters all topics and services that the master knows of this process; works also during start-up. Returns false

@@ -297,8 +297,7 @@ void NodeDiagnostics::watch(const LiveDiagnoser& live, const std::string& compon
                [&live, component](DiagnosticStatusWrapper& status) { live.fillStatus(component, status); });
 }
 
-// Measures the gaps of the components in turn for a part of the period. With many components, each gap is measured less
-// often than once per period.
+// Measures the gaps in turn for a part of the period, so that with many components each gap is measured less often.
 void NodeDiagnostics::updateGaps() {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
   for (std::size_t i = 0; i < watched_.size() && std::chrono::steady_clock::now() < end; ++i) {

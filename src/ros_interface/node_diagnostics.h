@@ -20,8 +20,7 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Writes the status of a serving thread whose last turn was `silence` [s] ago; the status is `stale` if the thread is
-/// blocked.
+/// Writes the status of a serving thread whose last turn was `silence` [s] ago, `stale` if the thread is blocked.
 void fillThreadStatus(const std::string& name, double silence, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Publishes the diagnostics. A wall timer triggers them, so that they continue while simulated time stands still.
@@ -29,8 +28,7 @@ class NodeDiagnostics {
  public:
   NodeDiagnostics(ros::NodeHandle& handle, ros::NodeHandle& private_handle, const node::GapSettings& gap_settings);
 
-  /// Adds a component, the bundled topics or a serving thread to the diagnostics. The arguments must outlive the
-  /// object.
+  /// Adds a component, the bundled topics or a serving thread. The arguments must outlive the object.
   void watch(node::ComponentChannel& channel, const SampleServer& server);
   void watch(const BundleServer& bundle, const std::string& name);
   void watch(const ServingThread& thread);

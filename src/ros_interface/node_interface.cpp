@@ -55,8 +55,7 @@ std::string table(bool services) {
   return text;
 }
 
-// Returns the text of the .msg file. In the definition, a line of equals signs separates it from the messages that it
-// contains.
+// Returns the text of the .msg file, without the definitions of contained messages, which follow a line of "=".
 template <class Message>
 std::string definition() {
   std::string text = ros::message_traits::Definition<Message>::value();

@@ -97,8 +97,7 @@ NodeServices::NodeServices(ros::NodeHandle& handle, ros::NodeHandle& private_han
   advertisePromotions();
 }
 
-// Advertises the services of each component for which a model can be promoted or a loaded state contains a promoted
-// model.
+// Advertises the services of each component for which a model can be promoted or has been promoted in a loaded state.
 void NodeServices::advertisePromotions() {
   using std_srvs::Trigger;
   for (node::ComponentChannel* channel : group_.channels()) {

@@ -34,8 +34,7 @@ class NodeServices {
   std::vector<std::string> names() const;
 
  private:
-  /// Advertises a service. `action` returns the message of a success. The text of its exception is the message of a
-  /// failure.
+  /// Advertises a service. `action` returns the message of a success; a failure has the message of its exception.
   template <class Service, class Action>
   void advertise(ros::NodeHandle& handle, const std::string& name, Action action);
   void advertisePromotions();

@@ -34,8 +34,7 @@ class PlayRecorder {
   PlayRecorder(const RecordPaths& paths, const std::string& component);
   ~PlayRecorder();
 
-  /// Adds a pass: answered samples and gaps to their CSV files, and all sent samples with their answers and the gaps to
-  /// the bag.
+  /// Adds a pass: answered samples and gaps to their CSV files, and all sent samples, answers and gaps to the bag.
   void add(const log::Log& log, const PlayResult& result);
   void close();
 

@@ -67,8 +67,7 @@ SampleServer::SampleServer(ros::NodeHandle& handle, node::ComponentChannel& chan
                                channel.gap().addMeasured(stampOf(measured.header), measured.force);
                              });
   }
-  // The order of temperatures and samples in the queue is not defined, so their stamps determine which temperature
-  // applies.
+  // The order of temperatures and samples in the queue is not defined, so stamps determine which temperature applies.
   subscribe<sensor_msgs::Temperature>(handle, name + "/temperature", size, node::isStamped<2>,
                                       [&channel](const ros::MessageEvent<const sensor_msgs::Temperature>& event) {
                                         const sensor_msgs::Temperature& measured = *event.getConstMessage();

@@ -46,8 +46,7 @@ std::shared_ptr<const std::string> claim(const std::string& component, const std
   return claimed;
 }
 
-// Loads the library of the diagnosis and starts the diagnosis. The library is never unloaded, because its code may run
-// until the process ends.
+// Loads and starts the diagnosis. Its library is never unloaded, because its code may run until the process ends.
 std::unique_ptr<LiveDiagnoser> loadLiveDiagnoser(ros::NodeHandle& handle, const node::ChannelGroup& group,
                                                  const LiveDiagnoserSettings& settings) {
   constexpr const char* kLibrary = "librubber_suspension_live.so";

@@ -6,8 +6,7 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Returns true once this process is to end, after a signal or because ROS is being shut down. Long work checks it and
-/// ends early.
+/// Returns true once this process is to end, after a signal or because ROS is being shut down. Long work checks this.
 bool isEnding();
 
 /// While this object exists, SIGINT, SIGTERM and SIGHUP only make isEnding() return true, so that the main thread can

@@ -54,7 +54,6 @@ class Trials final : public WrenchLaw {
   double time_ = 0.0;
 };
 
-// Returns wrenches that the caller has set.
 class HeldWrenches final : public WrenchLaw {
  public:
   component::Wrench wrench(std::size_t bush, double /*time*/, const Eigen::Isometry3d& /*pose*/) override {

@@ -1,5 +1,4 @@
-// Two ways to step a vehicle: with variable steps and trial steps, or in a loop with wrenches that are held over fixed
-// steps.
+// Two ways to step a vehicle: with variable steps and trial steps, or in a loop with constant wrenches at fixed steps.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +30,6 @@ struct VariableStep {
   double longest = 0.5e-3;  ///< [s]; bounds an error that `accuracy` does not: poses are linear between steps
 };
 
-/// Numbers of steps of an integrator.
 struct StepCount {
   int accepted = 0;
   int taken_back = 0;  ///< rejected trial steps

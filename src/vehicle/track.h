@@ -14,8 +14,7 @@ class Track {
   /// Makes a level track at height 0.
   Track() = default;
 
-  /// Makes a track from the displacement [m] of a log. Throws LogError as checkLog does, and for fewer than four
-  /// samples.
+  /// Makes a track from the displacement [m] of a log. Throws LogError as checkLog does, or for fewer than 4 samples.
   explicit Track(const log::Log& log);
 
   /// Returns the height [m] at a time [s] from the start of the log.

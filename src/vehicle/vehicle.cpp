@@ -7,8 +7,7 @@ namespace {
 using SimTK::MobilizedBody;
 using SimTK::Vec3;
 
-// Frames in which a Simbody slider, which slides along x, moves along z, and a pin, which turns about z, turns about
-// -y.
+// Frames of joints. Simbody's sliders move along x and its pins turn about z; with these frames, along z and about -y.
 SimTK::Transform alongZ() { return {SimTK::Rotation(-SimTK::Pi / 2, SimTK::YAxis)}; }
 SimTK::Transform aboutMinusY() { return {SimTK::Rotation(SimTK::Pi / 2, SimTK::XAxis)}; }
 

@@ -16,8 +16,7 @@ class WrenchLaw {
  public:
   virtual ~WrenchLaw() = default;
 
-  /// Returns the wrench of a component at a time [s] and a pose. It is also called for trial steps, which may be
-  /// rejected.
+  /// Returns the wrench of a component at a time [s] and a pose, also for trial steps, which may be rejected.
   virtual component::Wrench wrench(std::size_t bush, double time, const Eigen::Isometry3d& pose) = 0;
 };
 

@@ -70,8 +70,7 @@ class BergFriction final : public ParallelElement {
     return (displacement - memory[kExtremum]) * memory[kDirection] > 0.0;
   }
 
-  /// Returns the present branch, which is empty at rest. While keepsDirection() returns true, continueTo() equals
-  /// advance().
+  /// Returns the present branch, which is empty at rest. While keepsDirection() is true, continueTo() equals advance().
   BergSide currentBranch(const double* memory) const {
     const double direction = memory[kDirection];
     // In a restored memory of unknown origin, the reference point may lie beyond the extremum.

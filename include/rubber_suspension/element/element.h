@@ -1,5 +1,4 @@
-// Interfaces of the laws. The object of a law contains the parameters of the law. The caller owns its memory. No law
-// throws.
+// Interfaces of the laws. The object of a law contains its parameters; the caller owns its memory. No law throws.
 #pragma once
 
 #include <algorithm>
@@ -111,8 +110,7 @@ class DisplacementEffect : public Element {
   /// Advances over one step and returns the displacement behind the effect at its end [m].
   virtual double step(const Motion& motion, double* memory) const = 0;
 
-  /// Returns true for effects of a sensor (delay), which a component applies before all other effects on the
-  /// displacement.
+  /// Returns true for effects of a sensor (delay), which act before all other effects on the displacement.
   virtual bool ofSensor() const { return false; }
 
   /// Returns the factor of a linear law on a sinusoidal displacement at omega [rad/s], or nullopt for a nonlinear law.
@@ -156,8 +154,8 @@ class SeriesElement : public Element {
     double preload = 0.0;  ///< magnitude of the force while a contact is open [N]
   };
 
-  /// Returns the deflection [m] under a force [N]. The deflection has the sign of the force and never decreases while
-  /// the force increases.
+  /// Returns the deflection [m] under a force [N]. It has the sign of the force and never decreases while the force
+  /// grows.
   virtual double deflection(double force) const = 0;
 
   /// Returns the compliance if the law is linear for each sign of the force, otherwise nullopt.

@@ -50,8 +50,7 @@ class RadialStiffness final : public ParallelElement {
 /// Returns those of the elements that are radial stiffnesses. Throws std::invalid_argument as their make() does.
 std::vector<RadialStiffness> radialLaws(const std::vector<ElementDescription>& elements);
 
-/// Adds to the force [N] at each sample the change that displacements `across` [m] cause in a component with these
-/// laws.
+/// Adds to the force [N] of a component with these laws the change that displacements `across` [m] cause.
 void addAcross(const std::vector<RadialStiffness>& laws, const double* displacement, const double* across,
                std::size_t count, double* force);
 

@@ -112,8 +112,7 @@ struct SixDirectionsDescription {
   /// a preload is missing.
   double factorOf(component::Direction direction) const;
 
-  /// Throws std::invalid_argument, which begins with the name of a direction, if its elements cannot be coupled or
-  /// scaled.
+  /// Throws std::invalid_argument, which begins with a direction, if its elements cannot be coupled or scaled.
   component::SixDirections makeComponent() const;
 };
 
@@ -134,8 +133,7 @@ constexpr std::size_t kMaximumListLength = 10000;  // numbers in one list
 /// out of range or not finite, names that are not ROS base names, and specifications without a solution.
 std::vector<ComponentDescription> loadComponentFile(const std::string& path);
 
-/// Parses the text of a component file. Errors contain `source` as the name of the file. Throws as loadComponentFile()
-/// does.
+/// Parses the text of a component file. Errors name the file as `source`. Throws as loadComponentFile() does.
 std::vector<ComponentDescription> parseComponentFile(const std::string& text, const std::string& source);
 
 /// Returns the component with this name or, for an empty name, the only component. Throws ComponentFileError, which

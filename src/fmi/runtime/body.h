@@ -15,8 +15,7 @@ namespace rubber_suspension::fmi {
 
 class Body {
  public:
-  /// Builds the component and stores its calculated parameters. Throws std::exception if the data describe no
-  /// component.
+  /// Stores the calculated parameters and builds the component. Throws std::exception if the data describe none.
   Body(const ComponentData& data, std::vector<double> calculated);
 
   const std::vector<double>& calculated() const { return calculated_; }
@@ -28,8 +27,7 @@ class Body {
   }
 
   /// Initialises the component at rest, without history, at a temperature [degC] or, if none is given, as specified.
-  /// Returns the outputs. Throws std::invalid_argument if an output is not finite or a rotation is beyond the range of
-  /// its measure.
+  /// Returns the outputs. Throws std::invalid_argument if an output is not finite or a rotation is out of range.
   Numbers initialise(const Numbers& inputs, const std::optional<double>& temperature);
 
   /// Advances by a step [s] and sets the outputs. Returns false if an output is not finite. Allocates nothing. For a

@@ -1,5 +1,4 @@
-// The component in an FMU: its specification or its elements, and added elements. The exporter writes these data, and
-// the binary reads them.
+// The component in an FMU: its specification or elements, and added elements. The exporter writes it for the binary.
 #pragma once
 
 #include <optional>
@@ -21,10 +20,8 @@ struct ComponentData {
   estimation::Specification specification;  ///< empty for the model `elements`
   Elements elements;                        ///< of the model `elements`, complete; empty for all others
   Elements add;                             ///< complete
-  /// Entries of the key `temperature`, complete.
   Elements temperature;
-  /// Laws with complete elements, set only for a component of six directions. Then all other data except name and GUID
-  /// are unused.
+  /// Laws with complete elements, set only for six directions. Then all other data except name and GUID are unused.
   std::optional<component::SixDirectionsLaws> six;
 
   /// Returns the elements that the model lists or estimates from the specification. Throws std::invalid_argument if the

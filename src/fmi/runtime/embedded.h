@@ -9,7 +9,6 @@
 
 namespace rubber_suspension::fmi {
 
-/// Largest size of the text [bytes].
 constexpr std::size_t kCapacity = 1024 * 1024;
 
 /// Marker, size of the text, and text, with the same layout in the file and in memory. The operating system maps the

@@ -1,5 +1,4 @@
-// Definitions of the calls of FMI 2.0 and FMI 3.0 for co-simulation. They refuse null pointers, and no exception leaves
-// them.
+// The calls of FMI 2.0 and FMI 3.0 for co-simulation. They refuse null pointers, and no exception leaves them.
 #include "fmi/runtime/fmi.h"
 
 #include <algorithm>
@@ -74,8 +73,7 @@ Log logTo(const fmi2CallbackFunctions* functions, fmiString name) {
   return [functions = functions == nullptr ? fmi2CallbackFunctions{} : *functions,
           instance = std::string(name == nullptr ? "" : name)](Status status, const std::string& message) {
     if (functions.logger != nullptr) {
-      // The logger interprets the message as a format of printf and # as a reference to a variable, so both are
-      // escaped.
+      // The logger reads % as in a format of printf and # as a reference to a variable.
       const std::string text = std::regex_replace(message, std::regex("[%#]"), "$&$&");
       functions.logger(functions.componentEnvironment, instance.c_str(), static_cast<fmi2Status>(status),
                        categoryOf(status), text.c_str());
@@ -92,8 +90,7 @@ Log logTo(void* environment, fmi3LogMessageCallback callback) {
 }
 
 // Returns an instance of the component in this binary, or nullptr with a message. `token` is the GUID or instantiation
-// token of modelDescription.xml. `refused` names a requested kind of use that is not supported; it is nullptr if there
-// is none.
+// token of modelDescription.xml. `refused` is nullptr, or names a requested kind of use that is not supported.
 template <class... Logger>
 void* instantiate(const char* token, bool logging_on, const char* refused, Logger... logger) noexcept {
   try {
@@ -119,7 +116,6 @@ Value& at(Value* pointer, const char* call) {
   return pointer != nullptr ? *pointer : throw std::invalid_argument(std::string(call) + ": the pointer is null");
 }
 
-// Switches debug logging on or off, for all categories or for those listed.
 void setLogging(Instance& instance, bool on, std::size_t count, const fmiString* categories) {
   bool events = count == 0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -19,16 +19,13 @@ namespace rubber_suspension::fmi {
 /// Status that a call returns, with the numbers of fmi2Status and fmi3Status.
 enum class Status : int { ok = 0, discard = 2, error = 3 };
 
-/// Thrown if a call is refused and has changed nothing, so that the importer may continue. Any other exception gives
-/// the status `error`.
+/// Thrown if a call is refused and has changed nothing, so that the importer may continue.
 class Discarded : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Receives messages, each with the status of the call.
 using Log = std::function<void(Status status, const std::string& message)>;
 
-/// A category of log messages.
 struct LogCategory {
   Status status;  ///< status of its messages
   const char* name;
@@ -77,8 +74,7 @@ class Instance {
   /// Sets time derivatives of the displacement, of orders 1 to kMostDerivatives, for the next step only.
   void setDerivatives(const Reference* references, std::size_t count, const int* orders, const double* values);
 
-  /// Advances by a step of `size` [s], which begins at `time` [s] and must not end after the stop time. Allocates
-  /// nothing.
+  /// Advances by `size` [s] from `time` [s], at most to the stop time. Allocates nothing.
   void step(double time, double size) {
     if (now_.phase != Phase::stepping || !(size > 0.0) || !std::isfinite(size) || !isInTime(time, size)) {
       refuseStep(time, size);

@@ -29,7 +29,6 @@ auto rowsOf(State& state) {
 }
 constexpr std::size_t kHead = 8 + 2 * std::tuple_size_v<Numbers> + kMostDerivatives;
 
-// Returns the FNV-1a hash of bytes.
 std::uint64_t hashOf(const char* bytes, std::size_t size) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (std::size_t i = 0; i < size; ++i) {

@@ -16,8 +16,7 @@ std::string describe(const element::ParameterInfo& parameter) {
   return parameter.documentation + (open ? "; " + element::describe(range) : "");
 }
 
-// Returns the range in which a parameter can be set. The number of elements determines which variables exist, so it is
-// constant.
+// The number of elements cannot be set, because it determines which variables exist.
 element::Range settableRange(const element::ParameterInfo& parameter, double value) {
   return parameter.name == "maxwell_elements" ? element::Range::closed(value, value) : parameter.range;
 }

@@ -29,7 +29,6 @@ enum class Causality {
   calculated_parameter,  ///< parameter of an element that the model estimates from the specification
 };
 
-/// Place of the value of a parameter in the data of a component.
 struct Place {
   Elements ComponentData::* list = nullptr;  ///< list of elements; nullptr for the specification
   std::size_t entry = 0;                     ///< index in the list
@@ -40,7 +39,6 @@ struct Place {
   void put(ComponentData& data, double value) const;
 };
 
-/// One variable, which is a real number.
 struct Variable {
   std::string name;
   std::string unit;  ///< in UDUNITS spelling, "1" for none
@@ -60,8 +58,7 @@ class VariableTable {
 
   const std::vector<Variable>& variables() const { return variables_; }
 
-  /// Returns the reference of the temperature, which exceeds the references of all variables if there is no temperature
-  /// shift.
+  /// Returns the reference of the temperature, or the number of variables if there is no temperature shift.
   Reference temperature() const { return temperature_; }
 
   Reference firstOutput() const { return first_output_; }
