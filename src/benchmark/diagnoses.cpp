@@ -60,7 +60,7 @@ std::vector<log::Log> sixLogs(double duration) {
   return logs;
 }
 
-// A log whose motion is that of the benchmark, repeated with an amplitude that changes over minutes.
+// A log that repeats the motion of the benchmark with an amplitude that changes over minutes.
 class LongLog : public log::LogSource {
  public:
   explicit LongLog(std::size_t samples) : samples_(samples) {}

@@ -24,7 +24,7 @@ std::vector<std::int64_t> stampsOf(Stamps kind, std::size_t samples);
 /// Parameters of a component: spring, friction, and Maxwell elements whose break frequencies form a geometric series.
 struct ExampleParameters {
   double spring = 3.0e6;                  ///< [N/m]
-  std::vector<double> stiffness;          ///< of the Maxwell elements [N/m]
+  std::vector<double> stiffness;          ///< stiffness of each Maxwell element [N/m]
   std::vector<double> break_frequency;    ///< [Hz]
   double maximum_force = 5000.0;          ///< F_max [N]
   double friction_displacement = 2.2e-3;  ///< z2 [m]

@@ -15,7 +15,7 @@ namespace {
 constexpr double kShareOfBend = 0.06;
 // Largest |q|^n for which the series in |q|^n is used.
 constexpr double kNearZero = 0.125;
-// At rates below this one q equals its limit up to rounding.
+// If the rate is below this number, q equals its limit up to rounding.
 constexpr double kNoRate = 1e-14;
 
 // Returns the solution of q' = 1 - coefficient q after a travel `way`, which tends to 1/coefficient.

@@ -1,4 +1,4 @@
-// The list of all laws and the check of an entry against its table.
+// The list of all laws, and the check of an entry of a component file against the parameters of its law.
 #include "rubber_suspension/element/catalogue.h"
 
 #include <fmt/format.h>

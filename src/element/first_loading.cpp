@@ -12,8 +12,8 @@ enum FirstLoadingSlot { kUpper, kLower, kFollowed };
 
 /// Simulates F = k d towards the side of z, with d = |z| - S beyond the reach S of that side, and F = 0 within the
 /// reach. During outward motion beyond S the reach follows, dS = d/(b |z|) d|z|, so that d tends to b |z|/(1 + b). So
-/// the force of the first loading exceeds that of later loadings by up to k b |z|/(1 + b). During inward motion S is
-/// constant. The additional force decreases with each further loading; after n cycles d is about b |z|/n.
+/// the first loading needs up to k b |z|/(1 + b) more force than later loadings. During inward motion S is constant.
+/// The additional force decreases with each further loading; after n cycles d is about b |z|/n.
 ///
 /// The law is the additive part of stress softening, due to filler that breaks. It is needed because a factor on the
 /// force (stress_softening) can increase neither the force of the first loading alone nor its loss. Each side has its

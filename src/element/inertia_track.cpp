@@ -23,8 +23,8 @@ constexpr double kSplit = 0.25;
 constexpr double kMostTurned = 4.0;       // a larger angle of a step does not increase the number of parts [rad]
 constexpr double kPastTurn = 1.0 + 1e-9;  // factor on the time of a turn, so that a part ends just after the turn
 constexpr double kEdgeTolerance = 1e-15;  // error of the time of an edge, divided by the length of the part
-constexpr int kMostStepsToEdge = 50;      // as many as bisection needs
-constexpr int kMostStops = 64;            // in one part; prevents endless loops if rounding makes edges coincide
+constexpr int kMostStepsToEdge = 50;      // bisection needs as many steps
+constexpr int kMostStops = 64;  // limit within one part, against endless loops if rounding makes edges coincide
 
 // Contains exp(-a t) times cos(w t), sin(w t)/w and 1 - cos(w t), where w^2 = square - a^2, or the corresponding
 // hyperbolic functions if w^2 is negative.

@@ -26,7 +26,7 @@ constexpr std::size_t kProducts = kStates * kFactors;
 constexpr double kShortestTime = 1e-9;     // [s]
 constexpr double kHighestFrequency = 1e9;  // [Hz]
 constexpr double kShortestStroke = 1e-12;  // [m]
-constexpr double kNarrowestRange = 1e-3;   // of displacements, in strokes
+constexpr double kNarrowestRange = 1e-3;   // narrowest range of displacements, in strokes
 
 // Positions in the memory of the coefficients of the resonators for one step length.
 enum Turn : std::size_t {

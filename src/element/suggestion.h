@@ -1,4 +1,4 @@
-// The known word that a misspelt one probably means, for error messages.
+// The known word that a misspelt word probably means, for error messages.
 #pragma once
 
 #include <optional>

@@ -93,7 +93,7 @@ class TimeDelay final : public DisplacementEffect {
     }
     const double start = memory[kTimes + earlier];
     if (time <= start || earlier == later) {
-      return memory[kDisplacements + earlier];  // before the start: at rest
+      return memory[kDisplacements + earlier];  // at rest before the start
     }
     const double share = (time - start) / (memory[kTimes + later] - start);
     return memory[kDisplacements + earlier] +

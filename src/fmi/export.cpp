@@ -141,7 +141,7 @@ ComponentData dataOf(const io::ComponentDescription& description) {
   } else if (description.specification().curve() == nullptr) {
     data.model = description.model();
     data.specification = description.specification();
-  }  // otherwise data.elements are those estimated from the curve, which cannot be a variable
+  }  // otherwise the elements are estimated from a curve, which cannot be a variable, and stored below
   if (!description.six && data.model == estimation::Model::elements) {
     data.elements = completed(description.elements());
   }

@@ -93,7 +93,7 @@ bool isCopy(const std::string& one, const std::string& other) {
                     std::istreambuf_iterator<char>(second));
 }
 
-// Returns true if one of the texts fulfils the condition, or if there are no texts.
+// Returns true if any of the texts fulfils the condition, or if there are no texts.
 template <std::size_t most, class Condition>
 bool fulfilled(const std::array<std::string_view, most>& texts, const Condition& condition) {
   return texts[0].empty() || std::any_of(texts.begin(), texts.end(),

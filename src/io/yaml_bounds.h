@@ -15,7 +15,7 @@ struct YamlProblem {
 /// many as the values of its anchor, because nested aliases multiply. Throws YAML::Exception if the text is not YAML.
 std::optional<YamlProblem> beyondYamlBounds(const std::string& text);
 
-/// Returns the line, from 1, at which a second document begins. Throws as beyondYamlBounds() does.
+/// Returns the line, counted from 1, at which a second document begins. Throws as beyondYamlBounds() does.
 std::optional<int> lineOfSecondDocument(const std::string& text);
 
 }  // namespace rubber_suspension::io

@@ -122,7 +122,7 @@ class YamlReader {
 
   std::string component_;                         ///< name of the component being read, for errors
   std::string place_;                             ///< direction being read of a component of six directions
-  std::vector<std::string>* problems_ = nullptr;  ///< receives all problems; nullptr: the first one is thrown
+  std::vector<std::string>* problems_ = nullptr;  ///< receives all problems; nullptr: the first problem is thrown
 
  private:
   [[noreturn]] void refuseLine(int line, const std::string& path, const std::string& problem) const;

@@ -358,13 +358,13 @@ void ComponentChannel::load(const SavedState& state) {
   std::shared_ptr<Promotion> promotion = checkState(state);
   clearGaps();
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::swap(promotion_, promotion);  // freed after the lock
+  std::swap(promotion_, promotion);  // the old promotion is freed after the lock
   model_->restore(state);
   keepTemperature();
 }
 
 void ComponentChannel::exchange(const std::shared_ptr<Model>& model) {
-  std::shared_ptr<Model> old = model;  // freed after the lock
+  std::shared_ptr<Model> old = model;  // is freed after the lock
   std::shared_ptr<Promotion> promotion;
   clearGaps();
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -437,7 +437,7 @@ RunningModel ComponentChannel::running() const {
 }
 
 ChannelReport ComponentChannel::report() {
-  std::shared_ptr<Promotion> finished;  // freed after the lock
+  std::shared_ptr<Promotion> finished;  // is freed after the lock
   const std::lock_guard<std::mutex> lock(mutex_);
   dropFinished(finished);
   ChannelReport result = counts_;

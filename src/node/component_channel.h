@@ -80,7 +80,7 @@ struct ChannelReport : component::StreamCounters {
   double displacement = 0.0;                         ///< displacement at the last accepted sample [m]
   std::optional<component::SixNumbers> coordinates;  ///< coordinates at that sample, for six directions [m, rad]
   bool shifts_with_temperature = false;              ///< true if the component depends on the temperature
-  std::optional<double> temperature;                 ///< at the last sample [degC], if a temperature was received
+  std::optional<double> temperature;                 ///< temperature at the last sample [degC], if received
   std::uint64_t refused_temperatures =
       0;                     ///< number of temperatures not finite or outside the range of the component's shift
   LatencyHistogram latency;  ///< latency of the samples since the last report

@@ -27,11 +27,11 @@ enum class GapLevel { unknown, ok, warn, error };
 struct LiveGap {
   bool known = false;      ///< false if there are too few samples or no motion; then only `reason` is set
   std::string reason;      ///< why the gap is not known
-  std::int64_t stamp = 0;  ///< of the newest sample [ns]
+  std::int64_t stamp = 0;  ///< stamp of the newest sample [ns]
   double window = 0.0;     ///< time that the samples cover [s]
   std::size_t samples = 0;
-  double gap = 0.0;                 ///< without errors of the rig within its tolerances [-]
-  double gap_as_recorded = 0.0;     ///< with these errors [-]
+  double gap = 0.0;                 ///< gap after removal of errors of the rig within its tolerances [-]
+  double gap_as_recorded = 0.0;     ///< gap without this removal [-]
   double noise_floor = 0.0;         ///< gap from the white noise of the measured force alone [-]
   double beyond_noise = 0.0;        ///< sqrt(gap^2 - noise_floor^2), at least 0 [-]
   double trend = 0.0;               ///< rate of change of `gap` [1/s]; 0 until the reports span a window

@@ -60,13 +60,13 @@ class CrossFade {
   /// Returns true once the time of the shadow stage is over. The caller then has to call take() or end().
   bool shadowIsOver() const;
 
-  /// Begins the cross-fade from the configured model to the other one.
+  /// Begins the cross-fade from the configured model to the other model.
   void take() { enter(RunStage::promoting); }
   void giveBack();  ///< begins the cross-fade to the configured model, which is immediate at weight 0
 
   void end();
 
-  /// Returns the published force for the forces of both models.
+  /// Returns the published force, which is the weighted mean of the forces of both models.
   element::ComponentForce blend(const element::ComponentForce& configured, const element::ComponentForce& other) const;
 
  private:

@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kSchema = "rubber_suspension/state/1";
-// The latest stamp that a message can have [ns], with 32 bits for seconds and 32 bits for nanoseconds.
+// The latest stamp that a message can have [ns]: seconds and nanoseconds are numbers of 32 bits.
 constexpr std::int64_t kLatestStamp =
     std::int64_t{std::numeric_limits<std::uint32_t>::max()} * 1000000000 + std::numeric_limits<std::uint32_t>::max();
 

@@ -143,7 +143,7 @@ void AnswerPublisher::advertise(ros::NodeHandle& handle, ros::AdvertiseOptions& 
 void AnswerPublisher::send(const boost::function<ros::SerializedMessage()>& serialized,
                            ros::SerializedMessage& unserialized) {
   if (publication_->getNumSubscribers() <= 1) {
-    publication_->incrementSequence();  // as roscpp does for a message without subscribers
+    publication_->incrementSequence();  // roscpp also does so for a message without subscribers
     return;
   }
   link_->waitForRoom();

@@ -33,7 +33,7 @@ class AnswerPublisher {
   /// Publishes a message, which must not be changed while others have a pointer to it.
   template <class Message>
   void publish(const boost::shared_ptr<Message>& message) {
-    ros::SerializedMessage unserialized;  // for subscribers in this process
+    ros::SerializedMessage unserialized;  // subscribers in this process receive the message itself
     unserialized.type_info = &typeid(Message);
     unserialized.message = message;
     send([&message] { return ros::serialization::serializeMessage(*message); }, unserialized);

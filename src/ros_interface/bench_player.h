@@ -23,12 +23,12 @@ struct BenchTrack {
 
 struct BenchCount {
   std::string component;
-  std::size_t of = 0;          ///< samples that were to be played
-  std::size_t samples = 0;     ///< samples that were sent
-  std::size_t answered = 0;    ///< samples with at least one force
-  std::size_t repeated = 0;    ///< further forces for samples that already had one
-  std::size_t unexpected = 0;  ///< forces with unexpected stamps
-  std::size_t gaps = 0;        ///< messages of the live gap
+  std::size_t of = 0;          ///< number of samples that were to be played
+  std::size_t samples = 0;     ///< number of samples that were sent
+  std::size_t answered = 0;    ///< number of samples with at least one force
+  std::size_t repeated = 0;    ///< number of further forces for samples that already had one
+  std::size_t unexpected = 0;  ///< number of forces with unexpected stamps
+  std::size_t gaps = 0;        ///< number of messages of the live gap
   double duration = 0.0;       ///< [s], without the pauses between passes
   bool complete = true;        ///< true if every sample of the last pass has an answer
 

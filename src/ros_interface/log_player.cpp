@@ -130,7 +130,7 @@ void LogPlayer::connect() {
     if (waited >= options_.connect_timeout || !ros::ok()) {
       throw PlayError(fmt::format("no node serves {} within {:.3g} s", displacement_publisher_.getTopic(), waited));
     }
-    if (waited >= kPatienceWithOthers) {  // before that, another node with this component may start
+    if (waited >= kPatienceWithOthers) {  // until then, a further node with this component may start
       requireServed();
     }
     if (waited > 0.0) {
@@ -255,7 +255,7 @@ void LogPlayer::sendPose(std::size_t sample) {
   }
 }
 
-// Sends all samples that are due. During a pause time stands still, so that the next sample is due when it ends.
+// Sends all samples that are due. During a pause time stands still, so that the next sample is due when the pause ends.
 void LogPlayer::sendWhatIsDue(io::Progress& progress) {
   const bool stepping = options_.control != nullptr && !options_.control->running();
   if (stepping && result_.sent < log_->size()) {

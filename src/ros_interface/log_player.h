@@ -51,9 +51,9 @@ struct PlayResult {
   std::vector<std::int64_t> gap_stamps;  ///< stamps of `gaps` in the time of the log [ns]
   double duration = 0.0;                 ///< from the first sample to the last answer [s]
 
-  std::size_t answered() const;        ///< samples with at least one force
-  bool exactlyOneEach() const;         ///< true if every sample has one force and no force was unexpected
-  std::vector<double> totals() const;  ///< total force of each sample [N]
+  std::size_t answered() const;        ///< returns the number of samples with at least one force
+  bool exactlyOneEach() const;         ///< returns true if every sample has one force and no force was unexpected
+  std::vector<double> totals() const;  ///< returns the total force of each sample [N]
 };
 
 /// Thrown if no node serves the component or the node stops answering.
@@ -69,7 +69,7 @@ class LogPlayer {
 
   using Steady = std::chrono::steady_clock;
 
-  /// Waits for the node. play() calls this, too. Throws PlayError, also if a running node serves other components only.
+  /// Waits for the node; play() also calls this. Throws PlayError, also if a running node serves only other components.
   void connect();
 
   /// Plays a log that checkLog() accepts. The first sample is due at `start` (default: now). With `poses`, the log only
@@ -109,13 +109,13 @@ class LogPlayer {
   ros::Subscriber subscriber_;
   ros::Subscriber gap_subscriber_;
   bool connected_ = false;
-  bool goes_on_ = false;  // true if another log follows, whose time continues that of this log
+  bool goes_on_ = false;  // true if another log follows, whose stamps continue those of this log
 
   const log::Log* log_ = nullptr;
   const log::PoseLog* poses_ = nullptr;
   std::int64_t shift_ = 0;
   PlayResult result_;
-  std::optional<std::size_t> not_finite_;  // first sample whose answer is not finite
+  std::optional<std::size_t> not_finite_;  // index of the first sample whose answer is not finite
   std::size_t answered_ = 0;
   std::size_t stepped_ = 0;                       // number of samples sent by steps in all calls of play()
   std::vector<std::size_t> temperature_changes_;  // indices of the samples at which the temperature changes

@@ -38,7 +38,7 @@ void ServingThread::stop() {
 }
 
 void ServingThread::run() {
-  // This wait bounds the time until the thread notices that it has to end.
+  // Bounds the time until the thread notices that it has to end.
   const ros::WallDuration wait(0.1);
   while (running_) {
     queue_.callAvailable(wait);

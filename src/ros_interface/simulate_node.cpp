@@ -181,7 +181,7 @@ SimulateNode::SimulateNode(const ros::NodeHandle& handle, const ros::NodeHandle&
 SimulateNode::~SimulateNode() {
   registration_.reset();
   if (live_) {
-    live_->stop();  // before its destruction, since services and diagnostics may still use it
+    live_->stop();  // it is destroyed later, since services and diagnostics may still use it
   }
   for (auto& server : servers_) {
     server->shutdown();

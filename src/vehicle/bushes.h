@@ -14,7 +14,7 @@ template <class Value>
 using PerBush = std::vector<Value>;
 
 using Bushes = PerBush<component::SixDirections>;
-using Poses = PerBush<Eigen::Isometry3d>;  ///< of body B in body A of each component [m]
+using Poses = PerBush<Eigen::Isometry3d>;  ///< pose of body B in body A for each component [m]
 using Wrenches =
     PerBush<component::Wrench>;  ///< to be applied to body B to hold the pose, in the axes of body A [N, N m]
 

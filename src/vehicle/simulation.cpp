@@ -162,7 +162,7 @@ History runExchange(const Scene& scene, Exchange& exchange, int delay) {
     exchange.send(n * scene.step, vehicle.poses(integrator.getState()));
     if (n >= delay) {
       law.held = exchange.receive((n - delay) * scene.step);
-      integrator.reinitialize(Stage::Dynamics, false);  // discards what was computed with the last wrenches
+      integrator.reinitialize(Stage::Dynamics, false);  // discards results that used the last wrenches
     }
     add(history, vehicle, integrator.getState(), law.held);
   }

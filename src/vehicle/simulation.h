@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::vehicle {
 
-/// Settings for both ways.
+/// Settings of a simulation.
 struct Scene {
   Kind kind = Kind::struts;
   VehicleParameters parameters;

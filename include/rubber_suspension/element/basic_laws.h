@@ -6,7 +6,7 @@
 namespace rubber_suspension::element {
 
 /// Contains the parameters of springs, dashpots, Maxwell elements and Berg friction that act in parallel in a
-/// component. ParallelElement::addTo() adds one law to them. Throws nothing.
+/// component. ParallelElement::addTo() adds the parameters of one law. Throws nothing.
 struct BasicLaws {
   struct MaxwellNumbers {
     double stiffness;  ///< k [N/m]

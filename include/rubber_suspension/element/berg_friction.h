@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::element {
 
-/// Contains the constants of a branch to one side of the reference point. They are computed once for many samples.
+/// Contains the constants of a branch to one side of the reference point, which are computed once for many samples.
 struct BergSide {
   double direction = 0.0;  ///< sign of the motion; 0 without a branch, so that keepsDirection() returns false
   double left = 0.0;       ///< limit F_max or -F_max, minus the reference force [N]

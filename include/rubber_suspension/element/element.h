@@ -13,7 +13,7 @@ namespace rubber_suspension::element {
 /// Motion since the previous sample, linear in time.
 struct Motion {
   double dt;            ///< time since the previous sample [s], greater than 0
-  double displacement;  ///< at the end of the step [m]
+  double displacement;  ///< displacement at the end of the step [m]
   double increment;     ///< displacement minus the previous displacement [m]
 };
 
@@ -149,8 +149,8 @@ class SeriesElement : public Element {
  public:
   /// Deflection per force [m/N]; infinite for a contact that opens.
   struct Compliance {
-    double tension;        ///< for F > 0
-    double compression;    ///< for F < 0
+    double tension;        ///< compliance for F > 0
+    double compression;    ///< compliance for F < 0
     double preload = 0.0;  ///< magnitude of the force while a contact is open [N]
   };
 

@@ -49,9 +49,9 @@ struct ParameterInfo {
   std::string unit;           ///< SI unit in UDUNITS spelling, "1" for none; fixes the dimension
   Role role;                  ///< effect on the force
   Range range;                ///< admissible values, in that unit
-  std::string documentation;  ///< one sentence for reference page and errors
+  std::string documentation;  ///< a sentence for the reference page and for errors
   std::optional<double> default_value = std::nullopt;  ///< absent: the parameter is required
-  bool is_list = false;                                ///< a list of numbers in place of one
+  bool is_list = false;                                ///< true: the value is a list of numbers
 };
 
 /// Returns the row of that name, or nullptr if there is none.

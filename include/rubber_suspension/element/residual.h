@@ -93,7 +93,7 @@ class ResidualBasis {
   double spacing_ = 0.0;       // points of the characteristic per stroke
   double last_point_ = 0.0;
   Eigen::Array<double, kStops, 1> stops_;
-  Eigen::Array<double, kRelaxing, 1> rates_;         // of the relaxing shares [1/s]
+  Eigen::Array<double, kRelaxing, 1> rates_;         // 1/tau_j [1/s]
   Eigen::Array<double, kResonators, 1> half_omega_;  // [1/s]
 };
 
@@ -112,8 +112,8 @@ class Residual final : public ParallelElement {
  public:
   /// Weights of the functions of the basis and bounds of their sum, all [N].
   struct Weights {
-    std::vector<double> products;        ///< kStates x kFactors
-    std::vector<double> characteristic;  ///< one per point
+    std::vector<double> products;        ///< kStates x kFactors weights
+    std::vector<double> characteristic;  ///< one weight per point
     std::vector<double> resonators;      ///< two per resonator; empty without resonators
     double lowest_force = 0.0;           ///< at most 0
     double highest_force = 0.0;          ///< at least 0

@@ -1,4 +1,4 @@
-// Banks of Jenkins sliders: friction with memory of all reversals, and Coulomb friction as a bank of one.
+// Banks of Jenkins sliders: friction with memory of all reversals. A single slider is Coulomb friction.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ constexpr int kInk = -2;
 
 /// One curve, or a set of markers.
 struct Curve {
-  std::string label;  ///< in the legend; empty: no entry
+  std::string label;  ///< text in the legend; empty: no entry
   std::vector<double> x;
   std::vector<double> y;
   std::string style = "-";  ///< Matplotlib's line or marker format, "-", "--", "o", ...
@@ -30,13 +30,13 @@ struct HeatMap {
 
 struct Axes {
   std::string title;
-  std::string x_label;  ///< with unit: "frequency [Hz]"
+  std::string x_label;  ///< text with unit, such as "frequency [Hz]"
   std::string y_label;
   bool log_x = false;
   bool log_y = false;
   std::vector<std::string> rows = {};  ///< labels of y = 0, 1, 2, ... from the top down; empty: y is a number
   std::vector<Curve> curves = {};
-  std::vector<HeatMap> maps = {};  ///< at most one
+  std::vector<HeatMap> maps = {};  ///< at most one map
 };
 
 struct Figure {

@@ -23,9 +23,10 @@ struct RigTolerances {
   RigTolerance force_zero{0.1, true};         ///< [N], or share of the force's range in the log
   RigTolerance displacement_zero{0.1, true};  ///< [m], or share of the displacement's range in the log
   RigTolerance gain{0.005, true};             ///< share of the force
-  RigTolerance delay{0.5, true};   ///< of the force relative to the displacement [s], or share of a sampling interval
-  RigTolerance clock{1e-4, true};  ///< difference between the clocks of the channels, share of the time
-  RigTolerance initial_state{0.1, true};  ///< [N], or share of the force's range, if a log starts in motion
+  RigTolerance delay{0.5,
+                     true};  ///< delay of the force relative to the displacement [s], or share of a sampling interval
+  RigTolerance clock{1e-4, true};         ///< difference between the clocks of the channels, share of the time
+  RigTolerance initial_state{0.1, true};  ///< force from motion before the log [N], or share of the force's range
   RigTolerance slow_noise{0.01, true};    ///< [N], or share of the force's standard deviation
 };
 

@@ -72,7 +72,7 @@ ComponentData fromJson(const std::string& text) {
   const auto model = estimation::modelFromString(content.at("model").get<std::string>());
   element::refuseIf(!model, "the model is unknown");
   data.model = *model;
-  data.specification.describe(estimation::Describes::base);  // as the exporter writes it
+  data.specification.describe(estimation::Describes::base);  // the exporter writes this kind of specification
   for (const auto& [name, value] : content.at("specification").items()) {
     data.specification.set(name, value.get<double>());
   }

@@ -18,7 +18,7 @@ struct ComponentData {
   std::string guid;  ///< must be the same in modelDescription.xml and in the binary
   estimation::Model model = estimation::Model::elements;
   estimation::Specification specification;  ///< empty for the model `elements`
-  Elements elements;                        ///< of the model `elements`, complete; empty for all others
+  Elements elements;                        ///< complete elements of the model `elements`; empty for all other models
   Elements add;                             ///< complete
   Elements temperature;
   /// Laws with complete elements, set only for six directions. Then all other data except name and GUID are unused.
@@ -28,7 +28,7 @@ struct ComponentData {
   /// specification has no solution.
   Elements modelElements() const;
 
-  /// Returns the elements of the model, added elements and temperature shifts, in the order of the component file.
+  /// Returns the elements of the model, added elements and temperature shifts, in the order name of the component file.
   Elements allElements() const;
 };
 

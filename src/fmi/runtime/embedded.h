@@ -15,7 +15,7 @@ constexpr std::size_t kCapacity = 1024 * 1024;
 /// block together with the code. So the binary opens no file, and an importer may put it in any folder.
 struct EmbeddedBlock {
   char marker[sizeof(RUBBER_SUSPENSION_BLOCK_MARKER)];
-  std::uint64_t size;  // of the text [bytes]
+  std::uint64_t size;  // size of the text [bytes]
   char text[kCapacity];
 };
 

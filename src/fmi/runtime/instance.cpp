@@ -176,9 +176,9 @@ void Instance::settle() {
   }
 }
 
-// Returns the tolerance of times [s]. The time of the importer and that of the instance differ by one rounding, 1e-16
-// of the time. A difference above 1e-9 of the time plus a millionth of the step means that a step was omitted or
-// repeated, or ends beyond the stop time.
+// Returns the tolerance of times [s]. The times of importer and instance differ by one rounding, 1e-16 of the time. A
+// difference above 1e-9 of the time plus a millionth of the step means that a step was omitted or repeated, or ends
+// beyond the stop time.
 double Instance::roomFor(double size) const { return 1e-6 * size + 1e-9 * std::abs(now_.time); }
 
 bool Instance::isInTime(double time, double size) const {

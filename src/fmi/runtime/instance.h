@@ -89,7 +89,7 @@ class Instance {
 
   double time() const { return now_.time; }
 
-  /// Saves into a state. Allocates nothing if the state already contains one of this instance.
+  /// Saves into a state. Allocates nothing if this instance has already saved into it.
   void save(SavedState& state) const;
   void restore(const SavedState& state);
 

@@ -32,7 +32,7 @@ struct Standing {
   Numbers inputs = {};
   Numbers outputs = {};
   std::array<double, kMostDerivatives> derivative =
-      {};                          ///< of the input; the first derivative is at [0] [m/s, m/s^2, ...]
+      {};                          ///< derivatives of the input; the first one is at [0] [m/s, m/s^2, ...]
   bool has_temperature = false;    ///< true if the input `temperature` was set
   double degrees = 0.0;            ///< the temperature [degC] if it was set
   std::vector<double> parameters;  ///< values of the parameters that can be set
@@ -42,10 +42,10 @@ struct Standing {
 };
 
 struct SavedState {
-  std::uint64_t fingerprint = 0;  ///< of the FMU
+  std::uint64_t fingerprint = 0;  ///< fingerprint of the FMU
   Standing standing;
   double component_displacement = 0.0;  ///< displacement of the component [m]
-  std::vector<double> memory;           ///< of the component
+  std::vector<double> memory;           ///< memory of the component
 };
 
 /// Returns bytes that preserve every number exactly and are the same on all computers with the same byte order.

@@ -41,10 +41,10 @@ struct Place {
 
 struct Variable {
   std::string name;
-  std::string unit;  ///< in UDUNITS spelling, "1" for none
+  std::string unit;  ///< unit in UDUNITS spelling, "1" for none
   std::string description;
   Causality causality = Causality::parameter;
-  std::optional<double> start = {};  ///< of inputs and parameters
+  std::optional<double> start = {};  ///< start value of inputs and parameters
   element::Range range = {};         ///< may have open ends, which FMI lacks; the description states them
   Place place = {};                  ///< of parameters
 };

@@ -48,7 +48,7 @@ class DiagnosisThread final : public LiveDiagnoser {
   void tell(Watched& watched);
 
   LiveDiagnoserSettings settings_;
-  std::map<std::string, Watched> watched_;  // by component
+  std::map<std::string, Watched> watched_;  // by name of the component
   mutable std::mutex mutex_;
   std::promise<void> wake_;
   std::atomic<bool> stopping_{false};
