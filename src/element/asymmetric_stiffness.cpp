@@ -59,7 +59,7 @@ class AsymmetricStiffness final : public ParallelElement {
   }
 
   double quadratic_;
-  double upper_slope_;  // at z > 0 [N/m]
+  double upper_slope_;  // slope of k_d and k_t at z > 0 [N/m]
   double lower_slope_;
   Exponentials exponentials_;
 };

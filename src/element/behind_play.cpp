@@ -73,8 +73,8 @@ struct Damper {
     return deadZone(offset, gap);
   }
 
-  /// Returns z - w [m] after `time` [s] at constant velocity: contact on the side of `offset`, then free flight, then
-  /// contact on the side towards which the motion goes.
+  /// Returns z - w [m] after `time` [s] at constant velocity. The contact on the side of `offset` may end and be
+  /// followed by free flight and by contact on the other side.
   double offsetAfter(double offset, double velocity, double time, double gap) const {
     const double depth = std::abs(offset) - gap;
     if (depth > 0.0) {

@@ -48,7 +48,7 @@ double BergFriction::solveSeriesBalance(double slope, double offset, double comp
   const double direction = at_reference < 0.0 ? 1.0 : -1.0;  // the sum rises with z
   const double left = maximum_force_ - direction * memory[kReferenceForce];
   const double reach = compliance_ * left;
-  // The travel w >= 0 solves slope w^2 + linear w - constant = 0; this formula for it avoids cancellation.
+  // The travel w >= 0 is the root of slope w^2 + linear w - constant = 0, computed here without cancellation.
   const double constant = std::abs(at_reference) * reach;
   const double linear = slope * reach + compliance * left - std::abs(at_reference);
   const double root = std::sqrt(linear * linear + 4.0 * slope * constant);

@@ -10,8 +10,8 @@
 namespace rubber_suspension::element {
 namespace {
 
-// Length of a Runge-Kutta step, divided by the travel in which the rate would change by its own value. The error is
-// proportional to the fourth power of this constant (see BoucWen).
+// Length of a Runge-Kutta step as a share of the travel over which the rate changes noticeably. The error grows with
+// the fourth power of this constant (see BoucWen).
 constexpr double kShareOfBend = 0.06;
 // Largest |q|^n for which the series in |q|^n is used.
 constexpr double kNearZero = 0.125;
@@ -76,7 +76,7 @@ class BoucWen final : public ParallelElement {
     return q * sum;
   }
 
-  // Returns the q of a travel from q = 0: the inverse of wayFromZero(), by Newton's method.
+  // Inverts wayFromZero() by Newton's method: returns q after a travel `way` from q = 0.
   double nearZero(double way) const {
     double q = std::clamp(way, -near_, near_);
     for (int i = 0; i < 8; ++i) {

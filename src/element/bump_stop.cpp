@@ -7,8 +7,8 @@ namespace rubber_suspension::element {
 namespace {
 
 /// Simulates F = k_s d (d/d_ref)^(p-1) in the direction of z, with the depth d = max(|z| - g, 0), on one side or on
-/// both. No loss. k_s is the secant stiffness at the reference depth; for p = 1 the stop is linear and d_ref has no
-/// influence. Validity: contact without impact, and a stop without damping.
+/// both sides. No loss. k_s is the secant stiffness at the reference depth; for p = 1 the stop is linear and d_ref has
+/// no influence. Validity: contact without impact, and a stop without damping.
 /// Source: contact law F = K d^p of Hertz (p = 3/2) as used by Hunt and Crossley, J. Appl. Mech. 42 (1975) 440-445.
 class BumpStop final : public ParallelElement {
  public:

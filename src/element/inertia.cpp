@@ -9,7 +9,7 @@ namespace {
 
 enum InertiaSlot { kVelocity, kAcceleration, kLastStep, kStepBeforeLast };
 
-/// Simulates F = m d2z/dt2, K* = -m w^2, which lowers the measured storage stiffness in proportion to f^2, without
+/// Simulates F = m d2z/dt2, K* = -m w^2. The law lowers the measured storage stiffness in proportion to f^2 and has no
 /// loss.
 /// Without a bandwidth the acceleration at a sample is extrapolated linearly from the second differences of the last
 /// four samples, exactly for a cubic z(t) at any step lengths, so that the force has neither lag nor loss. Its relative
@@ -50,8 +50,8 @@ class Inertia final : public ParallelElement {
 /// of H is 6 (w/w_b)^2, without a term of first order, so the force has no lag at low frequency. White noise of
 /// standard deviation s on z causes noise of 0.87 m s/dt^2 on F at w_b dt = 1 and of 0.041 m s/dt^2 at w_b dt = 1/4.
 /// For w_b dt > 1 the samples are too far apart for the filter. The filter is stepped exactly for a displacement that
-/// is linear between samples, at any step lengths. Memory: y_k - z of four first-order filters. Source: observer form
-/// of a filtered differentiator, e.g. Khalil, Nonlinear Systems (2002), section 14.5.
+/// is linear between samples, at any step lengths. Memory: the outputs of four first-order filters relative to z.
+/// Source: observer form of a filtered differentiator, e.g. Khalil, Nonlinear Systems (2002), section 14.5.
 class SmoothedInertia final : public ParallelElement {
  public:
   SmoothedInertia(double mass /* m [kg] */, double bandwidth /* w_b/(2 pi) [Hz] */)

@@ -16,11 +16,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-constexpr double kRadiansBetweenTurns = 3.0;  // less than half a period
+constexpr double kRadiansBetweenTurns = 3.0;  // shorter than half a period
 constexpr double kMostParts = 4096.0;
 // Longest part of a split step: its angle at the resonance [rad] plus c_2 |dq/dt| dt/m.
 constexpr double kSplit = 0.25;
-constexpr double kMostTurned = 4.0;       // a larger angle of a step does not increase the number of parts [rad]
+constexpr double kMostTurned = 4.0;       // angle of a step above which no further parts are added [rad]
 constexpr double kPastTurn = 1.0 + 1e-9;  // factor on the time of a turn, so that a part ends just after the turn
 constexpr double kEdgeTolerance = 1e-15;  // error of the time of an edge, divided by the length of the part
 constexpr int kMostStepsToEdge = 50;      // bisection needs as many steps
@@ -206,7 +206,7 @@ void InertiaTrack::followDecoupled(Flow& flow, double dt, double velocity) const
 double InertiaTrack::partsOf(double rate, double dt, double velocity) const {
   const double turned = dt * std::sqrt(square_);
   const double braked = dt * brake_ * std::max(std::abs(rate), std::abs(velocity));
-  // If a step turns the resonance by several radians, the motion is far below it and the quadratic loss is negligible.
+  // Steps of several radians are used for motion far below the resonance, where the quadratic loss is negligible.
   const double parts = brake_ > 0.0         ? (std::min(turned, kMostTurned) + braked) / kSplit
                        : free_travel_ > 0.0 ? turned / kRadiansBetweenTurns
                                             : 1.0;

@@ -42,7 +42,8 @@ std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& descriptio
 std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement, int count) {
   const int middle = count / 2;
   const double ratio = std::pow(kGreatestYield, 1.0 / (count - middle));
-  // The hyperbola h(z) = (z2' + Y)/Y z/(z2' + z) has h(Y) = 1, and h(z2) = 1/2 for this z2'; Y is the greatest yield.
+  // The knee z2' is chosen so that h(z) = (z2' + Y)/Y z/(z2' + z) is 1/2 at z2 and 1 at the greatest yield displacement
+  // Y.
   const double greatest = kGreatestYield * displacement;
   const double knee = displacement * greatest / (greatest - 2.0 * displacement);
   const auto hyperbola = [&](double z) { return maximum_force * (knee + greatest) / greatest * z / (knee + z); };
@@ -52,7 +53,7 @@ std::vector<JenkinsSlider> iwanSliders(double maximum_force, double displacement
   for (int i = 0; i < count; ++i) {
     JenkinsSlider& slider = sliders[static_cast<std::size_t>(i)];
     slider.yield_displacement = displacement * std::pow(ratio, i + 1 - middle);
-    // The slope of the chord that ends here; the stiffness of a slider is its chord's slope minus the next slope.
+    // This is the slope of the chord that ends here. The next slope is then subtracted from it.
     slider.stiffness =
         (hyperbola(slider.yield_displacement) - hyperbola(previous)) / (slider.yield_displacement - previous);
     if (i > 0) {

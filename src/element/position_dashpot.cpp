@@ -9,11 +9,11 @@ namespace rubber_suspension::element {
 namespace {
 
 /// Simulates F = c s^p v, s = max(0, (1 + side z/z_r)/2), v = dz/dt. The damping is 0 at z_r on the other side, c at
-/// z_r on the given side, and larger beyond; the larger the power p, the later it rises. Two such elements, one for
-/// each side, and a linear dashpot in parallel describe a closing gap, as in a squeeze film or a hydraulic stop. They
-/// dissipate if no damping is negative. SmoothRateDashpot gives the rate at a sample. Source: the damping of a squeeze
-/// film grows with the inverse cube of its thickness (O. Reynolds, Phil. Trans. R. Soc. 177, 1886); powers of the
-/// position replace it here, since they have no singularity.
+/// z_r on the given side, and larger beyond; the larger the power p, the later the damping rises. Two such elements,
+/// one for each side, and a linear dashpot in parallel describe a closing gap, as in a squeeze film or a hydraulic
+/// stop. They dissipate if no damping is negative. SmoothRateDashpot gives the rate at a sample. Source: the damping of
+/// a squeeze film grows with the inverse cube of its thickness (O. Reynolds, Phil. Trans. R. Soc. 177, 1886); powers of
+/// the position replace it here, since they have no singularity.
 class PositionDashpot final : public SmoothRateDashpot {
  public:
   PositionDashpot(double damping /* c [N s/m] */,

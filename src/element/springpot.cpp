@@ -16,16 +16,17 @@ constexpr double kMaximumDecadesOfFrequency = 20.0;  // limit of the range, whic
 const double kSpacing = std::log(10.0) / 2.0;
 constexpr double kMargin = 10.0;  // factor by which the grid of break frequencies exceeds the range at either end
 
-// Returns one element for all grid points x below `first`. Their weights x^alpha form a geometric series with the sum W
-// and the centre of gravity x_t. Well above these frequencies their sum is W s/(s + x_t) up to the second moment.
+// Returns one element for all grid points x below `first`. The weights x^alpha of these points are a geometric series
+// with the sum W and the centre of gravity x_t. Well above x_t, the sum of all x^alpha s/(s + x) is W s/(s + x_t) up to
+// the second moment.
 Maxwell lowTail(double scale, double first, double order) {
   const double weight = std::pow(first, order) / std::expm1(order * kSpacing);
   const double moment = std::pow(first, order + 1.0) / std::expm1((order + 1.0) * kSpacing);
   return {scale * weight, moment / weight / kTwoPi};
 }
 
-// Returns one element for all grid points x above `last`. At frequencies well below them it has their total damping,
-// the sum of x^(alpha-1), and their second moment, the sum of x^(alpha-2).
+// Returns one element for all grid points x above `last`. For frequencies well below these points, the element has
+// their total damping, the sum of x^(alpha-1), and their second moment, the sum of x^(alpha-2).
 Maxwell highTail(double scale, double last, double order) {
   const double damping = std::pow(last, order - 1.0) / std::expm1((1.0 - order) * kSpacing);
   const double square = std::pow(last, order - 2.0) / std::expm1((2.0 - order) * kSpacing);

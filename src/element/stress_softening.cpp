@@ -45,10 +45,10 @@ class StressSoftening final : public ForceEffect {
   struct Parameters {
     double reduction;       ///< R [-]
     double width;           ///< w [-]
-    double path;            ///< L [m]; 0: at once
+    double path;            ///< L [m]; 0: softening is immediate
     double reach_exponent;  ///< q [-]
-    double full_reach;      ///< S_f [m]; greater than 0 if q is
-    double recovery_time;   ///< T [s]; 0: permanent
+    double full_reach;      ///< S_f [m]; must be greater than 0 if q > 0
+    double recovery_time;   ///< T [s]; 0: softening is permanent
     Side side;
     double ratio_power;  ///< a [-]
   };

@@ -25,9 +25,9 @@ class ViscoplasticFriction final : public ParallelElement {
 
   std::size_t memorySize() const override { return 1; }
 
-  // Solves f + a f/(1 - |f|) = r with f = F/(k y), a = v_0 dt/y, r = f before + dz/y. f has the sign of r, and |f| is
-  // the smaller root of f^2 - (1 + a + |r|) f + |r| = 0. The root and the discriminant (|r| - 1 + a)^2 + 4 a are
-  // computed without cancellation.
+  // Solves f + a f/(1 - |f|) = r with f = F/(k y), a = v_0 dt/y and r = f_0 + dz/y, where f_0 is f before the step. f
+  // has the sign of r, and |f| is the smaller root of f^2 - (1 + a + |r|) f + |r| = 0. The root and the discriminant
+  // (|r| - 1 + a)^2 + 4 a are computed without cancellation.
   double step(const Motion& motion, double* memory) const override {
     const double flow = half_rate_ * motion.dt / yield_displacement_;
     const double target = memory[0] + motion.increment / yield_displacement_;

@@ -94,9 +94,9 @@ bool isOfKind(const std::string& path, const FileKind& kind);
 bool makeFolder(const std::string& folder);
 
 /// Returns a folder for the records of a run, so that no earlier run is replaced, and creates it if it is missing. It
-/// is `folder` itself, unless this contains one of the files `records` or one of them is being written there. Then it
-/// has the next free number: run_2 after run_1, NAME_2 after NAME. Throws std::runtime_error if the folder cannot be
-/// created.
+/// is `folder` itself, unless this contains one of the files `records` or one of them is being written there. In this
+/// case it is a folder with the next free number: run_2 after run_1, NAME_2 after NAME. Throws std::runtime_error if
+/// the folder cannot be created.
 std::string makeRunFolder(const std::string& folder, const std::vector<std::string>& records);
 
 }  // namespace rubber_suspension::io

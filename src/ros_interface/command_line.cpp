@@ -110,7 +110,7 @@ void endLikeAtInterrupt() {
 
 }  // namespace
 
-// Waits for the master with a limit and until a signal comes; roscpp alone would do neither.
+// Waits until the master answers, a time limit passes or a signal comes. roscpp alone would wait for ever.
 bool RosCommandLine::waitForMaster(double timeout) const {
   constexpr double kTurn = 1.0;      // [s]
   constexpr double kPatience = 2.0;  // time until a message is printed [s]

@@ -19,7 +19,7 @@ struct ComponentData {
   estimation::Model model = estimation::Model::elements;
   estimation::Specification specification;  ///< empty for the model `elements`
   Elements elements;                        ///< complete elements of the model `elements`; empty for all other models
-  Elements add;                             ///< complete
+  Elements add;                             ///< added elements, complete
   Elements temperature;
   /// Laws with complete elements, set only for six directions. Then all other data except name and GUID are unused.
   std::optional<component::SixDirectionsLaws> six;
