@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kTool = "rubber_suspension " RUBBER_SUSPENSION_VERSION;
 constexpr const char kUnreadable[] = "{}: cannot be read; accepted: the file that was installed with this program";
 
-// 2 January 1980: the date is fixed, so that the bytes are. Zip uses local time and no year before 1980.
+// 2 January 1980. A fixed date makes the bytes reproducible. Zip uses local time and no year before 1980.
 constexpr time_t kTimeOfFiles = 315619200;
 
 void require(bool done, const std::string& name, const char* reason) {

@@ -15,7 +15,7 @@ struct ShiftLaw {
 
 const std::vector<ShiftLaw>& shiftLaws();
 
-// In the order of component::Coupling, component::RotationMeasure and the axes.
+// Words in the order of the values of component::Coupling, of component::RotationMeasure and of the axes.
 const std::vector<std::string> kCouplings = {"rectangular", "cylindrical", "spherical"};
 const std::vector<std::string> kMeasures = {"vector", "cardan"};
 const std::vector<std::string> kAxes = {"x", "y", "z"};

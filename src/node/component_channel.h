@@ -112,7 +112,8 @@ class ComponentChannel {
   /// stamp.
   void addMeasured(std::int64_t stamp, const component::Wrench& wrench);
 
-  /// Returns for each direction the matched samples of the last `seconds`, for six directions with generalised forces.
+  /// Returns the matched samples of the last `seconds` for each direction. Forces of six directions are generalised
+  /// ones.
   std::vector<std::vector<MatchedSample>> windows(double seconds) const;
 
   /// Sets the temperature [degC] of the samples from a stamp [ns] on. If the component's shift is not valid at this

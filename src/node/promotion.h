@@ -37,8 +37,8 @@ struct PairedErrors {
 
 /// Controls the weight w of the other model in the published force
 ///   F = F_configured + w (F_other - F_configured),  where w changes from 0 to 1 or back with the slope 1/fade.
-/// From one sample to the next, the change of w changes F by at most dt/fade |F_other - F_configured|. So F does not
-/// jump, unless the force of the other model is not finite; then the configured force is published at once.
+/// From one sample to the next, this changes F by at most dt/fade |F_other - F_configured|. So F does not jump, unless
+/// the force of the other model is not finite; then the configured force is published at once.
 class CrossFade {
  public:
   CrossFade(const PromotionSettings& settings, RunStage stage, double weight)

@@ -15,7 +15,7 @@ namespace rubber_suspension::fmi {
 
 class Body {
  public:
-  /// Stores the calculated parameters and builds the component. Throws std::exception if the data describe none.
+  /// Stores the calculated parameters and builds the component. Throws std::exception for data without a component.
   Body(const ComponentData& data, std::vector<double> calculated);
 
   const std::vector<double>& calculated() const { return calculated_; }

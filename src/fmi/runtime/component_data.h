@@ -14,7 +14,7 @@ namespace rubber_suspension::fmi {
 using Elements = std::vector<element::ElementDescription>;
 
 struct ComponentData {
-  std::string name;  ///< of the component
+  std::string name;  ///< name of the component
   std::string guid;  ///< must be the same in modelDescription.xml and in the binary
   estimation::Model model = estimation::Model::elements;
   estimation::Specification specification;  ///< empty for the model `elements`
@@ -28,7 +28,7 @@ struct ComponentData {
   /// specification has no solution.
   Elements modelElements() const;
 
-  /// Returns the elements of the model, added elements and temperature shifts, in the order name of the component file.
+  /// Returns the elements of the model, added elements and temperature shifts, in the order of the component file.
   Elements allElements() const;
 };
 

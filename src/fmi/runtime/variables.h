@@ -46,7 +46,7 @@ struct Variable {
   Causality causality = Causality::parameter;
   std::optional<double> start = {};  ///< start value of inputs and parameters
   element::Range range = {};         ///< may have open ends, which FMI lacks; the description states them
-  Place place = {};                  ///< of parameters
+  Place place = {};                  ///< place of the value of a parameter
 };
 
 /// All variables of one component. The parameters have this order: specification, listed elements of the model, added
