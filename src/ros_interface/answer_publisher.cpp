@@ -76,7 +76,7 @@ class AnswerLink : public ros::SubscriberLink {
     wake();
   }
 
-  // Waits until the network thread has passed on enough messages or has ended, for which the wait has to poll.
+  // Waits until the network thread has passed on enough messages or has ended. Only polling detects its end.
   void waitForRoom() {
     constexpr std::chrono::milliseconds kLook(10);
     const auto may_go_on = [&] { return published - handed_over_ < most_ahead_ || stopped_ || ros::isShuttingDown(); };
@@ -128,7 +128,7 @@ void NetworkTurns::end() {
   }
 }
 
-// Advertises the topic, again if a subscriber connects before the link, because its losses would be missed.
+// Advertises the topic. Repeats this if a subscriber connects before the link, which would miss its losses.
 void AnswerPublisher::advertise(ros::NodeHandle& handle, ros::AdvertiseOptions& options) {
   int attempts = 0;
   do {

@@ -66,7 +66,7 @@ void BenchPlayer::playTrack(std::size_t track, std::size_t pass, bool more_follo
   last_forces_[track] = result.totals();
   BenchCount& count = counts_[track];
   count.of += log.size();
-  // No answer can come after ROS is shut down, so samples without an answer then do not count as sent.
+  // No answer can come after ROS is shut down. Then samples without an answer do not count as sent.
   count.samples += ros::ok() ? result.sent : result.answered();
   count.answered += result.answered();
   for (const std::uint32_t answers : result.answers) {

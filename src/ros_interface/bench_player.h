@@ -29,7 +29,7 @@ struct BenchCount {
   std::size_t repeated = 0;    ///< number of further forces for samples that already had one
   std::size_t unexpected = 0;  ///< number of forces with unexpected stamps
   std::size_t gaps = 0;        ///< number of messages of the live gap
-  double duration = 0.0;       ///< [s], without the pauses between passes
+  double duration = 0.0;       ///< time of all passes, without pauses between them [s]
   bool complete = true;        ///< true if every sample of the last pass has an answer
 
   bool exactlyOneEach() const { return answered == samples && repeated == 0 && unexpected == 0; }

@@ -145,8 +145,7 @@ template <class Bundle, class Answer>
 bool BundleServer::answer(const Bundle& bundle, Answer& message) {
   const bool well_formed = answerBundle(bundle, group_, message);
   malformed_ += well_formed ? 0 : 1;
-  return well_formed &&
-         !message.components.empty();  // if it is empty, every component has dropped and counted its sample
+  return well_formed && !message.components.empty();  // no answer if every component has dropped its sample
 }
 
 template <class Answer>

@@ -18,10 +18,10 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Answers a bundle with a force for every displacement, or a wrench for every pose, that its component accepts. A
-/// message with an unknown name or with lists of unequal length is malformed: it returns false and changes no
-/// component. Operations on all components wait until this function returns. It allocates nothing if `answer` had as
-/// many components before.
+/// Answers a bundle with a force for every displacement, or a wrench for every pose, that its component accepts.
+/// Returns false and changes no component if the message is malformed: it has an unknown name or lists of unequal
+/// length. Operations on all components wait until this function returns. Allocates nothing if `answer` had as many
+/// components before.
 bool answerBundle(const DisplacementArray& bundle, const node::ChannelGroup& group, ForceArray& answer);
 bool answerBundle(const PoseArray& bundle, const node::ChannelGroup& group, WrenchArray& answer);
 
@@ -31,7 +31,7 @@ class BundleServer : public AnsweringTopics {
   /// The group must outlive the server.
   BundleServer(ros::NodeHandle& handle, const node::ChannelGroup& group, int queue_size, bool six_directions);
 
-  std::uint64_t answered() const { return answered_; }    ///< messages
+  std::uint64_t answered() const { return answered_; }    ///< number of answered messages
   std::uint64_t malformed() const { return malformed_; }  ///< number of malformed messages
   std::uint64_t lost() const { return lost_; }            ///< number of messages that were sent but never arrived
 

@@ -32,7 +32,7 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Returns the arguments of the process, which are unknown and empty in a nodelet.
+// Returns the arguments of the process, or an empty list in a nodelet, where they are unknown.
 std::vector<std::string>& processArguments() {
   static std::vector<std::string> arguments;
   return arguments;
@@ -99,7 +99,7 @@ namespace {
 void requestEnd(int /*signal*/) { ros::requestShutdown(); }
 
 // Handles SIGTERM of service managers and SIGHUP of closed terminals, since roscpp handles only SIGINT. If SIGHUP is
-// ignored, as under nohup, it remains so.
+// ignored, as under nohup, it remains ignored.
 void endLikeAtInterrupt() {
   for (const int number : {SIGTERM, SIGHUP}) {
     if (std::signal(number, requestEnd) == SIG_IGN) {

@@ -187,7 +187,7 @@ bool LogPlayer::maySend() const {
 }
 
 // Sends temperatures well before the samples to which they apply, because messages of two topics may arrive in any
-// order, but no more temperatures than the node stores.
+// order. Their number is limited to what the node stores.
 void LogPlayer::announceTemperatures() {
   constexpr std::size_t kAhead = 512;
   const auto next = std::lower_bound(temperature_changes_.begin(), temperature_changes_.end(), result_.sent);

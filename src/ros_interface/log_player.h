@@ -33,7 +33,7 @@ struct PlayOptions {
   bool record_gap = false;         ///< whether to collect the live gap
   std::optional<component::RotationMeasure>
       rotation;                    ///< measure of the rotation in logs of poses; nullopt for displacements
-  bool show_progress = true;       ///< whether to show it if there is a terminal
+  bool show_progress = true;       ///< whether to show the progress on a terminal
   PlayControl* control = nullptr;  ///< pauses and steps the playback; must outlive the player
   std::function<void(const std::string&)> notify = [](const std::string&) {
   };  ///< called with messages while the player waits

@@ -117,8 +117,8 @@ Reply callMaster(double limit, const XmlRpcValue& calls) {
   return callPeer(limit, ros::master::getURI(), "system.multicall", arguments, nullptr);
 }
 
-// Makes the calls and informs each subscription of the publishers that are already registered; of later publishers the
-// master informs it. Returns false if a call failed.
+// Makes the calls and informs each subscription of the publishers that are already registered. The master itself
+// announces later publishers. Returns false if a call failed.
 bool registerAll(const XmlRpcValue& calls) {
   const auto answers = callMaster(kLimit, calls).answer;
   bool done = answers && answers->size() == calls.size();

@@ -22,7 +22,7 @@ XmlRpc::XmlRpcValue callArguments(const std::vector<std::string>& arguments = {}
 /// Calls a method at an address (http://HOST:PORT) and waits for the answer at most `limit` [s] or until `stop` is set.
 /// Returns the answer, or nullopt if there is none or it is a fault. Masters and nodes answer [status, text, payload]
 /// with status 1 for success, but an answer may have any type: XmlRpcValue throws XmlRpcException if it is read as
-/// another.
+/// another type.
 std::optional<XmlRpc::XmlRpcValue> call(double limit, const std::string& uri, const std::string& method,
                                         const XmlRpc::XmlRpcValue& arguments, const std::atomic<bool>* stop = nullptr);
 

@@ -27,8 +27,8 @@ const PerBush<std::string>& bushNames(Kind kind);
 component::SixDirections makeStrut(std::vector<element::ElementDescription> elements, double station);
 
 /// Loads the components of a vehicle. `further` elements, such as a delay, are added to each strut. Throws as
-/// loadComponentFile and selectComponent do, and ComponentFileError if a component of six directions is needed but the
-/// file has one of one direction.
+/// loadComponentFile and selectComponent do, and ComponentFileError if a component has one direction where six
+/// directions are needed.
 Bushes loadBushes(Kind kind, const std::string& path, const std::vector<element::ElementDescription>& further = {});
 
 }  // namespace rubber_suspension::vehicle

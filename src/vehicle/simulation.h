@@ -27,7 +27,7 @@ struct Scene {
 /// Step control of an explicit integrator.
 struct VariableStep {
   double accuracy = 1e-8;   ///< limit of Simbody's measure of the error of a step
-  double longest = 0.5e-3;  ///< [s]; bounds an error that `accuracy` does not: poses are linear between steps
+  double longest = 0.5e-3;  ///< longest step [s]; limits the error of linear poses, which `accuracy` ignores
 };
 
 struct StepCount {

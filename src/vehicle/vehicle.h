@@ -22,8 +22,8 @@ class WrenchLaw {
 
 /// Simulates motion about the equilibrium, without gravity and preload. The axes are those of REP 103: x forward, z up.
 /// The frames of the bodies are at their centres of gravity. At rest they coincide with the frame of the track, so that
-/// only its own frames determine the position of a component. The coordinates of half a bogie are the height of the
-/// frame [m], its pitch [rad] (positive lifts the front) and the height of the body [m].
+/// the frames of a component alone determine its position. The coordinates of half a bogie are the height of the frame
+/// [m], its pitch [rad] (positive lifts the front) and the height of the body [m].
 class Vehicle {
  public:
   /// Track and law must outlive the vehicle.

@@ -82,7 +82,7 @@ class ParallelElement : public Element {
   }
 
   /// Sets the memory to its state after a long rest at this displacement [m], which does not undo permanent changes;
-  /// returns the force there [N].
+  /// returns the force [N].
   virtual double relax(double displacement, double* memory) const { return initialise(displacement, memory); }
 
   /// Advances the memory over one step and returns the force at its end [N].
@@ -128,7 +128,7 @@ class ForceEffect : public Element {
   virtual void initialise(double displacement, double* memory) const = 0;
 
   /// Sets the memory to its state after a long rest at this displacement [m], which does not undo permanent changes;
-  /// returns the factor on the force there.
+  /// returns the factor on the force.
   virtual double relax(double displacement, double* memory) const {
     initialise(displacement, memory);
     return 1.0;

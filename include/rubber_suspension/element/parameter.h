@@ -57,9 +57,9 @@ struct ParameterInfo {
 /// Returns the row of that name, or nullptr if there is none.
 const ParameterInfo* findParameter(const std::vector<ParameterInfo>& table, std::string_view name);
 
-/// Returns true if `estimate --from-log` and `diagnose` fit a parameter that has these values: it is a scale or a shape
-/// and has one value, which is neither 0 nor an end of the range. At such a value the parameter has no effect or a
-/// special one (a stop is linear). Lists of several numbers are curves that were measured point by point.
+/// Returns true if `estimate --from-log` and `diagnose` fit a parameter that has these values. They fit a scale or a
+/// shape with one value, unless this value is 0 or an end of the range, where the law lacks an effect (a stop is
+/// linear). They do not fit lists of several numbers, because these are curves that were measured point by point.
 bool isFree(const ParameterInfo& parameter, const std::vector<double>& values);
 
 /// Values by parameter name; a scalar is a list of one value.

@@ -12,9 +12,9 @@ namespace rubber_suspension::element {
 /// Simulates F = x (h(r) - (1 - a) h(|x|)), h(r) = k2 r + k3 r^2 + k5 r^4, r = sqrt(x^2 + y^2), which is added to the
 /// linear laws of a direction x and depends on another direction y. No loss. If both directions have the same law, the
 /// force does no work over closed loops, since it has the potential U = W(r) - (1 - a)(W(|x|) + W(|y|)) >= 0, W' = r h.
-/// With a = 1 the force is along the radius. With a = 0 the force vanishes for motion along x or y alone: it is what a
-/// bush that stiffens along the radius has beyond separate laws of x and y. A component of one direction has y = 0.
-/// Validity: the radii for which the coefficients were fitted.
+/// With a = 1 the force is along the radius. With a = 0 the force vanishes for motion along x or y alone: it is then
+/// the difference between a bush that stiffens along the radius and separate laws of x and y. A component of one
+/// direction has y = 0. Validity: the radii for which the coefficients were fitted.
 /// Source: a radial law F = G(r) (x, y)/r, as in the cylindrical coupling of multibody programs, with G as a power
 /// series as in progressive_stiffness. The make() of its type throws std::invalid_argument.
 class RadialStiffness final : public ParallelElement {

@@ -35,7 +35,7 @@ class ResidualBasis {
     std::array<double, kRelaxing> times{};          ///< tau_j [s]
     double amplitude_time = 1.0;                    ///< tau_a [s]
     bool resonant = false;                          ///< true if there are resonators
-    std::array<double, kResonators> frequencies{};  ///< omega/(2 pi) of each [Hz]
+    std::array<double, kResonators> frequencies{};  ///< omega/(2 pi) of each resonator [Hz]
     double damping = 0.15;                          ///< D of all resonators [-]
     std::size_t points = 2;                         ///< number of points of the characteristic
   };
@@ -114,9 +114,9 @@ class Residual final : public ParallelElement {
   struct Weights {
     std::vector<double> products;        ///< kStates x kFactors weights
     std::vector<double> characteristic;  ///< one weight per point
-    std::vector<double> resonators;      ///< two per resonator; empty without resonators
-    double lowest_force = 0.0;           ///< at most 0
-    double highest_force = 0.0;          ///< at least 0
+    std::vector<double> resonators;      ///< two weights per resonator; may be empty
+    double lowest_force = 0.0;           ///< lower bound of the sum, at most 0
+    double highest_force = 0.0;          ///< upper bound of the sum, at least 0
   };
 
   /// Throws std::invalid_argument if the numbers of weights do not match the layout, or the layout is out of range.

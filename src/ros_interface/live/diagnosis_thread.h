@@ -1,4 +1,4 @@
-// The live diagnosis of all components in a thread of its own, with its topics. It is a library that the node loads.
+// The live diagnosis of all components in a thread of its own, with its topics. The node loads this code as a library.
 #pragma once
 
 #include <ros/node_handle.h>
