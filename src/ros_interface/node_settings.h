@@ -27,8 +27,7 @@ struct NodeSettings {
   node::PromotionSettings promotion;
   bool diagnose = false;  ///< diagnose while the bench runs
   LiveDiagnoserSettings live;
-  std::string promote_file;  ///< component file with the models for COMPONENT/promote; if it is empty, the live
-                             ///< diagnosis provides them
+  std::string promote_file;  ///< component file with models for COMPONENT/promote; empty: models of the live diagnosis
 };
 
 /// Reads and checks all private parameters except those of the components. Throws std::invalid_argument, which states
