@@ -1,4 +1,4 @@
-// Work of the library that the command `benchmark` times.
+// Units of work of the library, whose duration the command `benchmark` measures.
 #pragma once
 
 #include <functional>

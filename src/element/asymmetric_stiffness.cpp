@@ -16,14 +16,14 @@ double growth(double strain) {
 
 /// Simulates F = k2 z^2 + k_d |z|/2 + k_h s (cosh(z/s) - 1) + k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), to be added
 /// to a linear spring. No loss. The terms of k2, k_d and k_h are even, so they do not overlap with a spring or
-/// progressive_stiffness, which are odd. The term of k_t is even except for a linear part. The term of k_e has an even
-/// and an odd part of similar size. Under a sine of amplitude A the term of k2 shifts the mean force by k2 A^2/2 and
-/// adds a second harmonic of the amplitude k2 A^2/2. The term of k_e stiffens on the side of the sign of s, as rubber
-/// under large compression does; the term of k_h stiffens one side and softens the other. Both exponential terms have
-/// no slope at z = 0 and continue along their tangents beyond |z| = 20 |s|. Validity: motions must stay well within the
-/// range where the tangent stiffness of the component is positive. With a linear spring k and k2 > 0 alone, this range
-/// ends at z = -k/(2 k2). Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations
-/// (1979), section 2.1; exponential stiffening of Y. C. Fung, Am. J. Physiol. 213 (1967) 1532-1544.
+/// progressive_stiffness, which are odd. The term of k_t is even except for a linear part. The term of k_e also has an
+/// odd part. Under a sine of amplitude A the term of k2 shifts the mean force by k2 A^2/2 and adds a second harmonic of
+/// the amplitude k2 A^2/2. The term of k_e stiffens on the side of the sign of s, as rubber under large compression
+/// does; the term of k_h stiffens one side and softens the other. Both exponential terms have no slope at z = 0 and
+/// continue along their tangents beyond |z| = 20 |s|. Validity: motions must stay well within the range where the
+/// tangent stiffness of the component is positive. With a linear spring k and k2 > 0 alone, this range ends at z =
+/// -k/(2 k2). Source: power series of the restoring force, e.g. Nayfeh and Mook, Nonlinear Oscillations (1979), section
+/// 2.1; exponential stiffening of Y. C. Fung, Am. J. Physiol. 213 (1967) 1532-1544.
 class AsymmetricStiffness final : public ParallelElement {
  public:
   struct Exponentials {

@@ -56,7 +56,7 @@ struct RunningModel {
   std::string configured_sha256;   ///< hash of the configured model's description in YAML
   std::string other_sha256;        ///< hash of the other model's description; empty if there is no other model
   std::vector<std::string> added;  ///< types of the elements that the other model adds
-  std::string note;                ///< why the last stage ended, unless it was requested
+  std::string note;                ///< why the last stage ended, unless the end was requested
 
   friend bool operator!=(const RunningModel& a, const RunningModel& b) {
     return std::tie(a.stage, a.since, a.configured_sha256, a.other_sha256, a.note) !=
@@ -132,7 +132,7 @@ class ComponentChannel {
 
   SavedState save() const;
 
-  /// Returns the second model in the state, or null. Throws std::invalid_argument for a state of another component.
+  /// Returns the second model in the state, or null. Throws std::invalid_argument for a foreign state.
   std::shared_ptr<Promotion> checkState(const SavedState& state) const;
 
   /// Continues from a state. If the state is refused, throws as checkState() and changes nothing.

@@ -16,7 +16,7 @@ namespace rubber_suspension::node {
 namespace {
 
 constexpr std::size_t kFewest = 100;         // samples
-constexpr Eigen::Index kWarpedWhole = 2000;  // samples; limits the time of a rating to 10 ms per second
+constexpr Eigen::Index kWarpedWhole = 2000;  // samples; a rating then takes 10 ms per second at 10 kHz
 constexpr std::size_t kHistory = 600;        // largest number of reports in the trend
 
 log::Log logOf(const std::vector<MatchedSample>& samples, SimulatedForce force) {

@@ -76,7 +76,8 @@ class AnswerLink : public ros::SubscriberLink {
     wake();
   }
 
-  // Waits until the network thread has passed on enough messages or has ended. Only polling detects its end.
+  // Waits until the network thread has passed on enough messages or has ended. Only polling detects the end of the
+  // thread.
   void waitForRoom() {
     constexpr std::chrono::milliseconds kLook(10);
     const auto may_go_on = [&] { return published - handed_over_ < most_ahead_ || stopped_ || ros::isShuttingDown(); };

@@ -15,8 +15,8 @@ class MessagePool {
  public:
   using Pointer = boost::shared_ptr<Message>;
 
-  /// Returns a message that may be written. It is new if kTries stored messages are in use. At most kMaximum are
-  /// stored.
+  /// Returns a message that may be written. If kTries stored messages are in use, it is a new one. At most kMaximum
+  /// messages are stored.
   Pointer take() {
     for (std::size_t tried = 0; tried < kTries && tried < messages_.size(); ++tried) {
       next_ = next_ + 1 < messages_.size() ? next_ + 1 : 0;
