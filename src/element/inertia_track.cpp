@@ -85,8 +85,7 @@ std::uint64_t bitsOf(double value) {
 // Most steps have the same length as the step before, so each thread keeps the coefficients in a hash table.
 const OverStep& overStep(double decay, double square, double dt) {
   constexpr std::uint64_t kPlaces = 512;
-  constexpr std::uint64_t kSpread =
-      0x9E3779B97F4A7C15;  // multiplicative hashing (Knuth): the highest bits depend on all bits of the input
+  constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15;  // for multiplicative hashing (Knuth)
   constexpr unsigned kBelowPlaces = 55;
   thread_local std::array<OverStep, kPlaces> kept;
   const std::uint64_t mixed = ((bitsOf(decay) * kSpread + bitsOf(square)) * kSpread + bitsOf(dt)) * kSpread;

@@ -157,8 +157,7 @@ std::string makeRunFolder(const std::string& folder, const std::vector<std::stri
   for (unsigned long next = number + 1;; ++next) {
     std::string path = name + std::to_string(next);
     std::error_code error;
-    if (fs::create_directory(path, error) ||
-        (!error && !holdsRecord(path, records))) {  // only one of several runs succeeds in creating it
+    if (fs::create_directory(path, error) || (!error && !holdsRecord(path, records))) {  // one run alone can create it
       return path;
     }
     refuseIf<std::runtime_error>(error && error != std::errc::file_exists, "{}: cannot be created: {}", path,

@@ -81,9 +81,8 @@ struct ChannelReport : component::StreamCounters {
   std::optional<component::SixNumbers> coordinates;  ///< coordinates at that sample, for six directions [m, rad]
   bool shifts_with_temperature = false;              ///< true if the component depends on the temperature
   std::optional<double> temperature;                 ///< temperature at the last sample [degC], if received
-  std::uint64_t refused_temperatures =
-      0;                     ///< number of temperatures not finite or outside the range of the component's shift
-  LatencyHistogram latency;  ///< latency of the samples since the last report
+  std::uint64_t refused_temperatures = 0;            ///< number of temperatures that were not accepted
+  LatencyHistogram latency;                          ///< latency of the samples since the last report
 };
 
 /// Feeds one component with samples. The lock is held for arithmetic only, never while a file is read, a model is
@@ -132,7 +131,7 @@ class ComponentChannel {
 
   SavedState save() const;
 
-  /// Returns the second model in the state, or null. Throws std::invalid_argument for a foreign state.
+  /// Returns the second model in the state, or null. Throws std::invalid_argument for a state of another component.
   std::shared_ptr<Promotion> checkState(const SavedState& state) const;
 
   /// Continues from a state. If the state is refused, throws as checkState() and changes nothing.

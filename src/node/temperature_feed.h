@@ -13,8 +13,7 @@ namespace rubber_suspension::node {
 /// the first temperature.
 class TemperatureFeed {
  public:
-  static constexpr std::size_t kMostWaiting =
-      1024;  ///< largest number of temperatures ahead of their samples; beyond, the oldest is dropped
+  static constexpr std::size_t kMostWaiting = 1024;  ///< temperatures that may wait before the oldest is dropped
 
   /// Adds a temperature [degC]. A stamp [ns] before the newest begins a new replay and discards waiting temperatures.
   void add(std::int64_t stamp, double temperature) {

@@ -169,9 +169,7 @@ ComponentDescription estimate(const std::string& model, const std::string& name,
     }
     const element::ParameterInfo* parameter = element::findParameter(estimation::specificationParameters(), input);
     specification.set(input,
-                      parameter == nullptr
-                          ? 0.0
-                          : toNumber(value, *parameter));  // set() accepts any key; unknown ones are refused below
+                      parameter == nullptr ? 0.0 : toNumber(value, *parameter));  // unknown keys are refused below
   }
   ComponentDescription description(name, *found, std::move(specification));
   io::toYaml({description});  // throws for a name that no file can contain

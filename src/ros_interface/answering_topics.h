@@ -57,9 +57,7 @@ class AnsweringTopics {
     publisher_.shutdown();
   }
 
-  std::uint64_t undecodable() const {
-    return undecodable_;
-  }  ///< number of messages dropped because they lack the topic's type
+  std::uint64_t undecodable() const { return undecodable_; }  ///< number of messages of another type
   std::uint64_t undelivered() const {
     return publisher_.undelivered();
   }  ///< number of lost answers; see AnswerPublisher

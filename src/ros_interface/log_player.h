@@ -31,10 +31,9 @@ struct PlayOptions {
   double connect_timeout = 300.0;  ///< longest wait for node and listeners [s]; nodes start slowly on a busy computer
   double answer_timeout = 60.0;    ///< longest wait for an answer [s]
   bool record_gap = false;         ///< whether to collect the live gap
-  std::optional<component::RotationMeasure>
-      rotation;                    ///< measure of the rotation in logs of poses; nullopt for displacements
-  bool show_progress = true;       ///< whether to show the progress on a terminal
-  PlayControl* control = nullptr;  ///< pauses and steps the playback; must outlive the player
+  std::optional<component::RotationMeasure> rotation;  ///< for logs of poses; nullopt for displacements
+  bool show_progress = true;                           ///< whether to show the progress on a terminal
+  PlayControl* control = nullptr;                      ///< pauses and steps the playback; must outlive the player
   std::function<void(const std::string&)> notify = [](const std::string&) {
   };  ///< called with messages while the player waits
 };

@@ -111,7 +111,7 @@ bool read(const XmlRpcValue& given, const Setting& setting) {
          number <= setting.upper;
 }
 
-// Throws for a parameter in the node's private namespace that neither the table contains nor a library reads.
+// Throws for a private parameter that is not in the table and that no library reads.
 void refuseUnknown(const ros::NodeHandle& private_handle, const std::vector<Setting>& table) {
   std::vector<std::string> known = {"config_file", "components"};
   for (const Setting& setting : table) {

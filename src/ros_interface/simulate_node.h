@@ -50,9 +50,8 @@ class SimulateNode {
   std::unique_ptr<node::ChannelGroup> group_;
   std::vector<std::unique_ptr<ServingThread>> threads_;
   std::vector<std::unique_ptr<SampleServer>> servers_;
-  std::vector<std::unique_ptr<BundleServer>>
-      bundles_;                          // servers of displacements and, if a component has six directions, of poses
-  std::unique_ptr<LiveDiagnoser> live_;  // null unless ~diagnose is true
+  std::vector<std::unique_ptr<BundleServer>> bundles_;  // for displacements and, if needed, for poses
+  std::unique_ptr<LiveDiagnoser> live_;                 // null unless ~diagnose is true
   std::unique_ptr<NodeDiagnostics> diagnostics_;
   std::unique_ptr<NodeServices> services_;
   std::shared_ptr<ros::ServiceServer> loggers_;

@@ -135,10 +135,9 @@ class Residual final : public ParallelElement {
   using Resonators = Eigen::Array<double, ResidualBasis::kResonators, 1>;
 
   ResidualBasis basis_;
-  Eigen::Array<double, ResidualBasis::kStates - 1, ResidualBasis::kFactors>
-      products_;                                            // weights for stops and relaxing shares
-  std::array<double, ResidualBasis::kFactors> of_share_{};  // weights for q
-  std::vector<double> characteristic_;                      // 0 at zero displacement
+  Eigen::Array<double, ResidualBasis::kStates - 1, ResidualBasis::kFactors> products_;  // weights of s_i and m_j
+  std::array<double, ResidualBasis::kFactors> of_share_{};                              // weights of q
+  std::vector<double> characteristic_;                                                  // 0 at zero displacement
   Resonators position_ = Resonators::Zero();
   Resonators velocity_ = Resonators::Zero();
   double lowest_force_;

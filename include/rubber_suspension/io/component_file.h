@@ -48,8 +48,7 @@ class ComponentDescription {
   std::vector<std::string> excluded_effects;  ///< names of effects that the construction of the component rules out
   /// Tolerance of the values of `elements`; the tolerance of an entry, such as "spring[0]", takes precedence.
   estimation::SheetTolerance tolerance;
-  bool holds_fluid =
-      false;  ///< true: a resonance of the force is attributed to fluid in the component, not to the fixture
+  bool holds_fluid = false;  ///< true: a resonance of the force is attributed to the fluid, not to the fixture
   /// The unit that the file uses for each SI unit, or the first of several units.
   std::map<std::string, std::string> units;
   /// Set for a component of six directions, for which all other data except the name are unused. Otherwise nullptr.

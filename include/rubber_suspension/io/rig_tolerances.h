@@ -23,11 +23,10 @@ struct RigTolerances {
   RigTolerance force_zero{0.1, true};         ///< offset of the force [N], or share of its range in the log
   RigTolerance displacement_zero{0.1, true};  ///< offset of the displacement [m], or share of its range in the log
   RigTolerance gain{0.005, true};             ///< gain error of the force, a share
-  RigTolerance delay{0.5,
-                     true};  ///< delay of the force relative to the displacement [s], or share of a sampling interval
-  RigTolerance clock{1e-4, true};         ///< difference between the clocks of the channels, share of the time
-  RigTolerance initial_state{0.1, true};  ///< force from motion before the log [N], or share of the force's range
-  RigTolerance slow_noise{0.01, true};    ///< slow noise of the force [N], or share of its standard deviation
+  RigTolerance delay{0.5, true};              ///< delay of the force [s], or share of a sampling interval
+  RigTolerance clock{1e-4, true};             ///< difference between the clocks of the channels, share of the time
+  RigTolerance initial_state{0.1, true};      ///< force from motion before the log [N], or share of the force's range
+  RigTolerance slow_noise{0.01, true};        ///< slow noise of the force [N], or share of its standard deviation
 };
 
 /// One row of the table from which checks, options and the reference page are made.

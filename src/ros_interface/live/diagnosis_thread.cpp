@@ -129,8 +129,8 @@ void DiagnosisThread::tell(Watched& watched) {
   auto found = watched.live->found();
   const diagnosis::live::LiveVerdict& told = watched.findings.now;
   const bool other = told.verdict != findings.now.verdict || told.effects != findings.now.effects;
-  const bool reason = findings.looks == 0 &&
-                      watched.findings.sentence != findings.sentence;  // a new reason why there is no diagnosis yet
+  const bool reason =
+      findings.looks == 0 && watched.findings.sentence != findings.sentence;  // why there is no diagnosis yet
   const bool news = other || reason || told.since != findings.now.since || watched.findings.looks != findings.looks;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
