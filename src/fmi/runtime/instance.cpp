@@ -146,8 +146,7 @@ void Instance::setDerivatives(const Reference* references, std::size_t count, co
            "set of a derivative: a pointer is null");
   require(count == 0 || now_.phase <= Phase::stepping, "set of a derivative");
   for (std::size_t i = 0; i < count; ++i) {
-    const auto order =
-        static_cast<std::size_t>(orders[i]);  // a negative order becomes a large number, which is refused
+    const auto order = static_cast<std::size_t>(orders[i]);  // large, and refused, if negative
     refuseIf(data_.six || references[i] != reference::kDisplacement || order < 1 || order > kMostDerivatives,
              "derivative {} of variable {}; accepted: derivatives 1 to {} of the displacement", orders[i],
              references[i], kMostDerivatives);
