@@ -95,8 +95,7 @@ element::ElementDescription elementOf(const json& entry) {
 bool isWeightOf(RunStage stage, double weight) {
   const double least = stage == RunStage::promoted ? 1.0 : 0.0;
   const double most = stage == RunStage::shadow ? 0.0 : 1.0;
-  return stage != RunStage::configured && weight >= least &&
-         weight <= most;  // in the stage `configured` there is no second model
+  return stage != RunStage::configured && weight >= least && weight <= most;  // `configured` has no second model
 }
 
 // Returns the saved second model. A hash shows whether its description was changed after saving.

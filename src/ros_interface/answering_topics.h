@@ -57,10 +57,8 @@ class AnsweringTopics {
     publisher_.shutdown();
   }
 
-  std::uint64_t undecodable() const { return undecodable_; }  ///< number of messages of another type
-  std::uint64_t undelivered() const {
-    return publisher_.undelivered();
-  }  ///< number of lost answers; see AnswerPublisher
+  std::uint64_t undecodable() const { return undecodable_; }              ///< number of messages of another type
+  std::uint64_t undelivered() const { return publisher_.undelivered(); }  ///< number of lost answers
 
  protected:
   /// Passes messages of the topic to `take`. TCP sends them without delay (TCP_NODELAY).

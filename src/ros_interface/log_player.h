@@ -34,8 +34,7 @@ struct PlayOptions {
   std::optional<component::RotationMeasure> rotation;  ///< for logs of poses; nullopt for displacements
   bool show_progress = true;                           ///< whether to show the progress on a terminal
   PlayControl* control = nullptr;                      ///< pauses and steps the playback; must outlive the player
-  std::function<void(const std::string&)> notify = [](const std::string&) {
-  };  ///< called with messages while the player waits
+  std::function<void(const std::string&)> notify = [](const std::string&) {};  ///< receives messages while waiting
 };
 
 /// The received forces. `force`, `wrench` and `answers` have one entry per sample of the log.

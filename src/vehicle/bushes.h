@@ -14,9 +14,8 @@ template <class Value>
 using PerBush = std::vector<Value>;
 
 using Bushes = PerBush<component::SixDirections>;
-using Poses = PerBush<Eigen::Isometry3d>;  ///< pose of body B in body A for each component [m]
-using Wrenches =
-    PerBush<component::Wrench>;  ///< to be applied to body B to hold the pose, in the axes of body A [N, N m]
+using Poses = PerBush<Eigen::Isometry3d>;     ///< pose of body B in body A for each component [m]
+using Wrenches = PerBush<component::Wrench>;  ///< to hold the pose, on body B in A's axes [N, N m]
 
 /// Returns the names of the components: front_primary, rear_primary and secondary for half a bogie, or front_left,
 /// front_right, rear_left and rear_right for a body.

@@ -31,12 +31,11 @@ struct Standing {
   double stop_time = kNoStop;  ///< [s]
   Numbers inputs = {};
   Numbers outputs = {};
-  std::array<double, kMostDerivatives> derivative =
-      {};                          ///< derivatives of the input; the first one is at [0] [m/s, m/s^2, ...]
-  bool has_temperature = false;    ///< true if the input `temperature` was set
-  double degrees = 0.0;            ///< the temperature [degC] if it was set
-  std::vector<double> parameters;  ///< values of the parameters that can be set
-  bool settled = false;            ///< the component has been built and initialised; it may have been stepped since
+  std::array<double, kMostDerivatives> derivative = {};  ///< of the input, first order at [0] [m/s, ...]
+  bool has_temperature = false;                          ///< true if the input `temperature` was set
+  double degrees = 0.0;                                  ///< the temperature [degC] if it was set
+  std::vector<double> parameters;                        ///< values of the parameters that can be set
+  bool settled = false;  ///< the component has been built and initialised; it may have been stepped since
 
   std::optional<double> temperature() const { return has_temperature ? std::optional(degrees) : std::nullopt; }
 };
