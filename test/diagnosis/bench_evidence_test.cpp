@@ -1,4 +1,4 @@
-// The report's figure of logs with a wrong sign, unit, column or component: as recorded, and corrected.
+// The report's figure of logs with a wrong sign, unit, column or component shows them as recorded and as corrected.
 #include "diagnosis/prepare/bench_evidence.h"
 
 #include "diagnosis/report/report_figures.h"
@@ -13,7 +13,7 @@ log::Log goodLog() { return runRig("good", 1, nothing); }
 
 diagnosis::Diagnosis diagnose(const log::Log& log) { return diagnosis::diagnose(rigComponent(), {log}, {}); }
 
-// Returns the RMS of measured minus simulated force of a panel, over the RMS of the measured force.
+// Returns the RMS of measured minus simulated force in a panel, divided by the RMS of the measured force.
 double distance(const io::Axes& axes) {
   double difference = 0.0;
   double all = 0.0;
@@ -24,7 +24,7 @@ double distance(const io::Axes& axes) {
   return std::sqrt(difference / all);
 }
 
-// Expects two panels: the curves differ as recorded and agree after the correction, which the title names.
+// Expects two panels: their curves differ as recorded, and agree after the correction that the panel's title names.
 void expectCorrected(const log::Log& log, const std::string& correction) {
   const diagnosis::Diagnosis result = diagnose(log);
   ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::check_bench) << correction;

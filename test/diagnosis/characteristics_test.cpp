@@ -1,4 +1,4 @@
-// Errors of stiffness, loss angle and energy for a model whose errors are known, at fast and slow sampling.
+// Errors of stiffness, loss angle and energy of a model with known errors, at fast and slow sampling.
 #include "diagnosis/results/characteristics.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr Eigen::Index kSineSamples = 20000;
 constexpr double kStiffness = 1e6;
 
-// Sines of four frequencies one after the other, measured on a spring and a dashpot.
+// Logs four sines of different frequencies, one after the other, on a spring and dashpot in parallel.
 struct Measured {
   log::Record record;
   Eigen::VectorXd simulated;  // spring 10 % too soft, no dashpot
@@ -23,7 +23,7 @@ struct Measured {
     double phase = 0.0;
     double mean = 0.0;
     for (Eigen::Index i = 0; i < kSineSamples; ++i) {
-      const double step = 2.0 * element::kPi * 1e-3 * static_cast<double>(1 + 4 * i / kSineSamples);  // per sample
+      const double step = 2.0 * element::kPi * 1e-3 * static_cast<double>(1 + 4 * i / kSineSamples);  // phase [rad]
       phase += step;
       mean += step / static_cast<double>(kSineSamples);
       record.displacement[i] = 1e-3 * std::sin(phase);
@@ -41,15 +41,15 @@ struct Measured {
 
 TEST(CharacteristicErrors, AreThoseOfTheModel) {
   const diagnosis::CharacteristicErrors errors = Measured(1e-3).errors();
-  // Windows do not end at whole cycles, so up to 1 % of the neighbouring sines leaks in.
+  // Windows do not end at whole cycles, so each mixes up to 1 % of a neighbouring sine into its result.
   EXPECT_NEAR(errors.stiffness, 1.0 - 0.9 / std::hypot(1.0, 0.1), 0.01);
   EXPECT_NEAR(errors.loss_angle, std::atan(0.1), 0.01);
-  EXPECT_NEAR(errors.energy, 1.0, 0.05);  // the simulated spring dissipates none
+  EXPECT_NEAR(errors.energy, 1.0, 0.05);  // the simulated spring dissipates no energy
 }
 
 TEST(CharacteristicErrors, AreTheSameOfASlowerTest) {
   const diagnosis::CharacteristicErrors fast = Measured(1e-3).errors();
-  // The factor is a power of two, which causes no rounding, so windows end at the same samples.
+  // The factor between the two time steps is a power of two. It causes no rounding, so windows end at the same samples.
   const diagnosis::CharacteristicErrors slow = Measured(1024.0 * 1e-3).errors();
   EXPECT_EQ(fast.stiffness, slow.stiffness);
   EXPECT_EQ(fast.loss_angle, slow.loss_angle);

@@ -1,4 +1,4 @@
-// Runs a diagnosis and checks that its statements agree with each other; the tests of this folder use it.
+// Runs a diagnosis and checks that its statements agree with each other.
 #pragma once
 
 #include "diagnosis/experiment/explanation.h"
@@ -9,8 +9,8 @@
 
 namespace rubber_suspension {
 
-/// Checks that a hypothesis never fits the logs worse than another whose terms it contains, beyond 1 % and a tenth of
-/// the noise floor.
+/// Checks that each hypothesis fits the logs at least as well as any other whose terms it contains, within 1 % plus a
+/// tenth of the noise floor.
 inline void checkContainment(const diagnosis::Diagnosis& d) {
   using diagnosis::hypotheses::FittedHypothesis;
   constexpr double kAsMuch = 1.01;
@@ -46,7 +46,7 @@ inline diagnosis::Diagnosis checkedTable(const io::ComponentDescription& compone
   return result;
 }
 
-/// Returns whether the effect is named alone, or is an alternative by itself.
+/// Returns true if the effect is named alone or is an alternative by itself.
 inline bool mayBe(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
   const auto is = [&](const diagnosis::Alternative& other) {
     return other.effects == std::vector<std::string>{effect};

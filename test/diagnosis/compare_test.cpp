@@ -1,4 +1,4 @@
-// Comparison of two reports: changes beyond noise and intervals; files that are no report are refused.
+// Comparison of two reports: it lists changes beyond noise and intervals, and refuses files that are not reports.
 #include "diagnosis/report/compare.h"
 
 #include "support/test.h"
@@ -70,7 +70,7 @@ TEST_F(Compare, TellsValuesApartByTheirIntervals) {
   EXPECT_THAT(text, Not(HasSubstr("K_n")));
 }
 
-// Logs of another day have other names, so cells are compared over all logs, by their share of the gap.
+// Logs of another day have other names. So the comparison sums a cell of the map over all logs, as a share of the gap.
 TEST_F(Compare, FollowsThePlacesOfTheGap) {
   diagnosis::Diagnosis now = firstDay();
   now.gaps.unseen.as_configured = 0.2;

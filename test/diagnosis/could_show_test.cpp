@@ -1,4 +1,4 @@
-// What planned logs could show: plans with known answers, implants compared with real fits, unusable programmes.
+// Plans state which effects planned logs could show. They are compared with known answers and real fits.
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/effect.h"
@@ -53,10 +53,10 @@ const ImplantedEffect& row(const diagnosis::Plan& plan, const std::string& effec
   return *found;
 }
 
-// At one frequency, the three numbers of the model fit stiffness and loss of any linear law, as far as the judgement
-// lets them move. Effects that a delay within the rig's tolerance explains are out of reach.
+// At a single frequency, the three parameters of the model can fit the stiffness and loss of any linear law, within
+// their prior. A delay within the rig's tolerance hides other effects there.
 TEST(Plan, OneSineHidesWhatASweepFinds) {
-  constexpr double kUsual = 0.06;  // of the force
+  constexpr double kUsual = 0.06;  // size of an effect relative to the force
   const diagnosis::Plan one = planOf({sine()}, kUsual);
   const diagnosis::Plan many = planOf({sweep()}, kUsual);
   for (const char* effect : {"viscous_damping", "inertia"}) {
@@ -66,7 +66,7 @@ TEST(Plan, OneSineHidesWhatASweepFinds) {
   }
 }
 
-// An offset that differs between logs is attributed to the rig.
+// Offsets that differ between logs are attributed to the rig, not to an effect.
 TEST(Plan, NeverFindsAZeroThatTheRigMayHave) {
   const diagnosis::Plan& plan = planOfASweep();
   EXPECT_EQ(row(plan, "force_offset").outcome, "out_of_reach");
@@ -133,7 +133,7 @@ TEST(Plan, WritesWhatItSays) {
   std::filesystem::remove_all(folder);
 }
 
-// Projection predicts the residual that a fit really leaves of a force with the effect added.
+// The residual predicted by projection equals the residual of a real fit to a force with the effect added.
 TEST(Implants, LeaveWhatAFitLeaves) {
   const fit::ModelParameters model(rigComponent(), fit::Level::specification);
   const std::vector<gap::PreparedRecord> records = {log::makeRecord(runRig("plain", 1, nothing, 2.0))};
@@ -155,7 +155,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
     with.front().force += kSize * implant.scale * (*term.unit_effect).front();
     const fit::Fitter fitted(with, model, kOneDeviation);
     const double left = fitted.fit({}, fitted.configured({}), {10}).gap;
-    // The model is not linear in its parameters, and noise of 0.2 % of the force remains as well.
+    // The tolerance covers the nonlinearity of the model in its parameters and noise of 0.2 % of the force.
     EXPECT_NEAR(left, kSize * implant.model.gap, 0.1 * kSize) << candidate.effect << " " << implant.term;
     ++compared;
   }

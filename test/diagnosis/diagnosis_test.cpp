@@ -16,7 +16,7 @@ TEST(Diagnosis, FindsNoGapWhereThereIsNone) {
   const diagnosis::Diagnosis& result = ofNothing();
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none);
   EXPECT_TRUE(result.answer.effects.empty());
-  // The floor is estimated from the median of some hundred spectral lines of 20 N of white noise.
+  // The noise floor is estimated from the median of some hundred spectral lines of white noise of 20 N.
   double standard_deviation = 0.0;
   for (const log::Record& record : result.workings->simulated.records) {
     standard_deviation = std::max(standard_deviation, record.force_deviation);
@@ -34,7 +34,7 @@ TEST(Diagnosis, CallsWrongValuesAParameterError) {
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::parameter_error);
   EXPECT_TRUE(result.answer.effects.empty());
   EXPECT_GT(result.gaps.unseen.as_configured, 5.0 * result.gaps.unseen.noise_floor);
-  EXPECT_LT(result.gaps.unseen.re_estimated, 1.1 * result.gaps.unseen.noise_floor);  // the floor itself is an estimate
+  EXPECT_LT(result.gaps.unseen.re_estimated, 1.1 * result.gaps.unseen.noise_floor);  // this floor is an estimate
 }
 
 TEST(Diagnosis, NamesAStopAndClosesTheGapOnAnUnseenLog) {
@@ -70,7 +70,7 @@ TEST(Diagnosis, ReplayOfTheAugmentedFileGivesTheClaimedGap) {
   const double gap =
       std::sqrt((measured - simulated).squaredNorm() / static_cast<double>(measured.size())) / standard_deviation;
   EXPECT_NEAR(gap, result.gap_as_recorded.augmented, 1e-9);
-  // The gap of the held-out log excludes an offset and the start from rest.
+  // The gap of the held-out log excludes an offset of the force and the transient at the start.
   EXPECT_NEAR(gap, result.gaps.unseen.augmented, 0.05 * gap);
 }
 
@@ -108,8 +108,8 @@ TEST(Diagnosis, RefusesALogWithoutForce) {
   EXPECT_THROW(diagnosis::diagnose(rigComponent(), {log}, {}), log::LogError);
 }
 
-// An excluded effect is not named, but the report states what it would explain. Both causes of this gap are excluded,
-// and the noise floor does not depend on what is named.
+// An excluded effect is not named, but the report states how much it would explain. Here both causes of the gap are
+// excluded.
 TEST(Excluded, IsNotNamedButTold) {
   io::ComponentDescription component = rigComponent();
   component.excluded_effects = {"bump_stop", "friction"};

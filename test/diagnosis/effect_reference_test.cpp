@@ -1,4 +1,4 @@
-// The page of effects in docs/ is the one that the code prints.
+// The page docs/effects.md equals what the code prints.
 #include "diagnosis/report/effect_reference.h"
 
 #include "support/files.h"

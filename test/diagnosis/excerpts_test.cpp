@@ -14,7 +14,7 @@ namespace {
 
 using diagnosis::prepare::Excerpts;
 
-constexpr std::int64_t kNanoseconds = 10000000;  // [ns]
+constexpr std::int64_t kNanoseconds = 10000000;  // time step [ns]
 
 // A sine of 1 Hz sampled at 100 Hz, which keeps each amplitude [mm] for `seconds`.
 log::Log stairs(const std::vector<double>& amplitudes, double seconds) {
@@ -95,7 +95,7 @@ TEST(Excerpts, LeaveOutAStandstill) {
 TEST(Excerpts, WindowsHoldTenCyclesWhereTheyCan) {
   log::Log log = stairs({1.0}, 4000.0);
   for (std::int64_t& stamp : log.stamp) {
-    stamp /= 100;  // a hundred times as fast: windows are counted in cycles, not in seconds
+    stamp /= 100;  // Samples come a hundred times as fast. Windows have the same length in cycles, not in seconds.
   }
   for (const std::size_t most : {80000U, 8000U, 4000U, 1500U}) {
     for (const log::Log& excerpt : makeExcerpts({log}, {}, most).logs) {
@@ -120,7 +120,7 @@ TEST(Excerpts, AHoldOutGivesItsBeginning) {
   EXPECT_EQ(excerpts.hold_out.front().stamp.front(), 0);
 }
 
-// The elements with the longest memory: self-heating, softening by the largest displacement, a slow Maxwell element.
+// These elements remember the past longest: self-heating, softening by the largest displacement, slow relaxation.
 TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
   const std::vector<element::ElementDescription> elements = {
       spring(1e6),
@@ -147,19 +147,19 @@ TEST(Excerpts, AreLedInByWhatLiesBetweenThem) {
     rested.emplace_back(log::evenRecord(excerpts.logs[i]));
     led_in.emplace_back(log::evenRecord(excerpts.logs[i], excerpts.lead_in[i]));
   }
-  // Means over four of 100 samples per cycle reduce the amplitude by 0.3 %, so a new amplitude still softens the rubber
-  // in the excerpt: an error of 2.9 % of the force there, 0.6 % elsewhere.
+  // The lead-in has means over 4 of the 100 samples of a cycle, which reduce the amplitude by 0.3 %. So a new largest
+  // amplitude softens the rubber again in the excerpt: an error of 2.9 % of the force there, of 0.6 % elsewhere.
   EXPECT_LT(worst(led_in), 0.04);
   EXPECT_GT(worst(rested), 0.2) << "the test would not see it";
 }
 
-// A pause of 1e6 s is one step for the force, as in `replay` and the node; spectra ignore it.
+// The force takes a pause of 1e6 s as one time step, as in `replay` and the node. Spectra ignore the pause.
 TEST(Excerpts, BeginAnewBehindATimeGap) {
   const std::vector<element::ElementDescription> elements = {
       spring(1e6), maxwell(3e5, 0.01), friction(300.0, 3e-4), {"stress_softening", {{"reduction", {0.3}}}}};
   log::Log log = stairs({1.0, 2.0, 0.5}, 20.0);
   for (std::size_t i = 0; i < log.size(); ++i) {
-    log.stamp[i] += i < 2000 ? 0 : i < 4030 ? 70000000000 : 1000000000000000;  // after the first and after a short part
+    log.stamp[i] += i < 2000 ? 0 : i < 4030 ? 70000000000 : 1000000000000000;  // two time gaps
   }
   log.force = gap::simulateLog(component::Component(elements), log);
   const Excerpts excerpts = makeExcerpts({log}, {}, log.size());
@@ -171,8 +171,7 @@ TEST(Excerpts, BeginAnewBehindATimeGap) {
   }
   const gap::Forces forces = gap::simulate(elements, records);
   for (std::size_t r = 0; r < records.size(); ++r) {
-    // Splitting one straight step into two changes the force by rounding only, except in a Maxwell element, which uses
-    // the mean over each step.
+    // Excerpts split some straight steps in two. This changes the forces by rounding only.
     EXPECT_LT((records[r].force - forces[r]).cwiseAbs().maxCoeff(), 1e-9 * 3e3) << r;
   }
 }
@@ -200,7 +199,7 @@ TEST(Excerpts, ALongLogIsDiagnosedByThem) {
   EXPECT_LE(part.samples.searched, options.most_samples);
   EXPECT_EQ(part.samples.recorded, log.size());
   EXPECT_EQ(part.answer.verdict, whole.answer.verdict);
-  // The gap is that of the whole log in both cases; the parameters may differ within the noise.
+  // Both runs state the gap of the whole log. Their parameters may differ within the noise.
   EXPECT_NEAR(part.gap_as_recorded.as_configured, whole.gap_as_recorded.as_configured, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// The next experiment: motions within limits that distinguish explanations even after the wrong one is refitted.
+// The proposed experiment has motions within limits that distinguish explanations even after the wrong one is refitted.
 #include "diagnosis/effect.h"
 #include "diagnosis/experiment/discrimination.h"
 #include "diagnosis/experiment/menu.h"
@@ -27,7 +27,7 @@ Bounds someBounds(double low, double high) {
   return bounds;
 }
 
-// The machine that recorded the logs can play every proposal, even if its range lies on one side of zero.
+// The rig that recorded the logs can play every proposal, even if its displacements lie on one side of zero.
 TEST(Experiments, StayWithinTheBounds) {
   for (const auto& [low, high] : {std::pair(-0.002, 0.0021), {0.004, 0.007}, {-0.003, 0.001}}) {
     const Bounds bounds = someBounds(low, high);
@@ -35,7 +35,7 @@ TEST(Experiments, StayWithinTheBounds) {
     ASSERT_GT(menu.size(), 20U);
     for (const Experiment& experiment : menu) {
       const Eigen::VectorXd& z = experiment.displacement;
-      // A motion starts and ends at rest at 0.
+      // Each motion starts and ends at rest at zero displacement.
       EXPECT_GE(z.minCoeff(), std::min(0.0, low) - 1e-12) << experiment.description;
       EXPECT_LE(z.maxCoeff(), std::max(0.0, high) + 1e-12) << experiment.description;
       EXPECT_EQ(z[0], 0.0) << experiment.description;
@@ -107,8 +107,7 @@ TEST(ExperimentLimits, AreRefusedWithKeyValueAndWhatIsAccepted) {
   EXPECT_THAT(refusal("force=much"), HasSubstr("much"));
 }
 
-// A dashpot competes with relaxation on logs of slow triangles, which show no rate dependence. The component is the
-// linear one of the rig.
+// Logs of slow triangles show no dependence on the rate, so a dashpot and relaxation are rival explanations of them.
 class Rivals : public testing::Test {
  protected:
   Rivals()
@@ -149,10 +148,10 @@ class Rivals : public testing::Test {
     throw std::logic_error(effect);
   }
 
-  // Judges all hypotheses of the search with one effect as the answer. All effects have a usual size and form errors
-  // below the accepted one, so all are expected to have about the same residual.
+  // Judges all hypotheses as if `effect` were the answer. All effects have the same size and small form errors, so the
+  // judgement expects about the same residual for each hypothesis.
   void judgeAs(int effect) {
-    constexpr double kUsualSize = 0.002;  // square, of the force
+    constexpr double kUsualSize = 0.002;  // square of the size relative to the force
     diagnosis::judge::Evidence& evidence = workings_.evidence;
     evidence = diagnosis::hypotheses::evidenceOf(search_);
     evidence.logs = {{search_.noise.floor, 0.0, 1.0, false, 50}};
@@ -201,7 +200,7 @@ Experiment motion(const std::function<double(double)>& law) {
   return experiment;
 }
 
-// A Maxwell element imitates a dashpot at one frequency exactly, but not at two.
+// One Maxwell element can imitate a dashpot exactly at one frequency, but not at two.
 TEST_F(Rivals, OneSineCannotTellADashpotFromRelaxationTwoCan) {
   single("viscous_damping").fit.parameters.scales[0] = 2e3;
   const auto sine = [](double f) { return [f](double t) { return 1e-4 * std::sin(2.0 * element::kPi * f * t); }; };
@@ -228,7 +227,7 @@ TEST_F(Rivals, TheBestMotionLeavesLeastOpen) {
   }
 }
 
-// The larger set can imitate the smaller one in any motion, but only with a negligible further member.
+// The larger set of effects can imitate the smaller one in any motion, but needs a stop of negligible size to do so.
 TEST_F(Rivals, OfSetsThatHoldOneAnotherOneIsDecided) {
   const int damping = placeOf("viscous_damping");
   const int stop = placeOf("bump_stop");
@@ -242,7 +241,7 @@ TEST_F(Rivals, OfSetsThatHoldOneAnotherOneIsDecided) {
                                                                : place.candidate == damping ? 2e3
                                                                                             : 1e5;
   }
-  constexpr double usual = 0.05;  // of the force
+  constexpr double usual = 0.05;  // usual size of an effect relative to the force
   const std::vector<diagnosis::experiment::Explanation> explanations = {
       {&single("viscous_damping"), 0.5, 1e-4, 0.0, usual}, {&both, 0.5, 1e-4, 0.0, usual}};
   diagnosis::experiment::Discriminator discriminator(fitter_, search_, explanations, 1e9, 1);
@@ -252,13 +251,13 @@ TEST_F(Rivals, OfSetsThatHoldOneAnotherOneIsDecided) {
   EXPECT_LT(found.open, 0.5);
 }
 
-// No motion distinguishes a dashpot without force from the model; fast motion shows one with force.
+// A dashpot of zero damping equals the model in every motion. Fast motions show a dashpot with damping.
 TEST_F(Rivals, ProposeNothingThatSettlesNextToNothing) {
   for (diagnosis::hypotheses::FittedHypothesis& other : search_.singles) {
-    other.fit.held_out = std::numeric_limits<double>::infinity();  // so that only the model competes
+    other.fit.held_out = std::numeric_limits<double>::infinity();  // so that only the model competes with the dashpot
   }
   for (auto* hypothesis : {&single("viscous_damping"), &search_.re_estimated, &search_.as_configured}) {
-    hypothesis->fit.held_out = 0.01;  // the slow logs leave little beyond noise
+    hypothesis->fit.held_out = 0.01;  // the slow logs have little residual beyond the noise
   }
   judgeAs(placeOf("viscous_damping"));
   diagnosis::ExperimentLimits limits;

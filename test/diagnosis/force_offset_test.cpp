@@ -1,4 +1,4 @@
-// An offset of the force that differs from log to log, beside friction, and without a false drift.
+// An offset of the force that differs between logs is found beside friction, and is not mistaken for a drift.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "support/test.h"
@@ -19,7 +19,7 @@ double zeroFound(const diagnosis::Diagnosis& result, const std::string& log) {
   return found == result.rig_findings.end() ? 0.0 : found->value;
 }
 
-// A pneumatic seal adds pressure times area: tens of standard deviations of the force, different in each log.
+// A pneumatic seal adds a force of pressure times area: tens of standard deviations, and different in each log.
 TEST(ForceOffset, OfEachLogStandsBesideFriction) {
   const diagnosis::Diagnosis result = checkedDiagnosis(
       rigComponent(),
@@ -28,12 +28,12 @@ TEST(ForceOffset, OfEachLogStandsBesideFriction) {
       {runRig("5 bar", 4, beside(rigFriction(), 36e3)), runRig("2 bar", 5, beside(rigFriction(), 15e3))});
   EXPECT_THAT(result.answer.effects, ElementsAre("friction")) << result.sentence;
   EXPECT_LT(result.gaps.unseen.augmented, 1.3 * result.gaps.unseen.noise_floor);
-  // The error is that of 20 N of noise and of what an offset and friction have in common.
+  // The tolerance covers the noise of 20 N and the correlation of offset and friction in the fit.
   EXPECT_NEAR(zeroFound(result, "7 bar") - zeroFound(result, "1 bar"), 42e3, 60.0);
   EXPECT_NEAR(zeroFound(result, "5 bar") - zeroFound(result, "2 bar"), 21e3, 60.0);
 }
 
-// An offset common to all logs is the same effect with one number.
+// An offset that all logs share is the same effect with one parameter.
 TEST(ForceOffset, OfAllLogsIsOneNumber) {
   const RigEffect zero = [](double, double, double) { return 900.0; };
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), runRigs({1, 2}, zero), runRigs({3}, zero));
@@ -42,7 +42,7 @@ TEST(ForceOffset, OfAllLogsIsOneNumber) {
   EXPECT_NEAR(result.law.augmented.add.front().value("offset"), 900.0, 20.0);
 }
 
-// With triangles of 6 s over a minute, the residual repeats in each period, so it is no drift.
+// The residual of triangles of 6 s in a log of a minute repeats with each period, so it is not a drift.
 TEST(ForceOffset, TrianglesAreNoDrift) {
   const auto triangles = [](const std::string& name, unsigned seed, double amplitude) {
     std::mt19937 generator(seed);

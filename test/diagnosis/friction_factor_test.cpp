@@ -1,4 +1,4 @@
-// Friction that differs from log to log, as in a seal under different pressures, and friction that does not.
+// Friction that differs between logs, as in a seal at different pressures, and friction that is equal in all logs.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "support/test.h"
@@ -6,7 +6,7 @@
 namespace rubber_suspension {
 namespace {
 
-// The friction of all test rigs times a factor.
+// Returns the friction of all test rigs times a factor.
 RigEffect frictionTimes(double factor) {
   return [factor, friction = rigFriction()](double time, double z, double rate) {
     return factor * friction(time, z, rate);

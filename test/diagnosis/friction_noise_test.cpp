@@ -1,4 +1,4 @@
-// The effect of an unknown motion before the log on Berg's friction.
+// Error of Berg's friction because the motion before the log is unknown.
 #include "measurement/friction_noise.h"
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ std::vector<gap::PreparedRecord> records() { return {log::makeRecord(runRig("one
 
 double deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
 
-// RMS of the initial friction force that decays within the log, over its maximum force.
+// Returns the RMS of the initial friction force that decays within the log, divided by the maximum friction force.
 double forgotten(double displacement) {
   const Eigen::MatrixXd starts = measurement::frictionStarts(elementsWithBerg(displacement), records())[0];
   return std::max(deviation(starts.col(0)), deviation(starts.col(1))) / kMaximumForce;
@@ -38,13 +38,13 @@ TEST(FrictionStarts, AreNoneWhereThePastIsKnown) {
   EXPECT_EQ(measurement::frictionStarts(elementsWithBerg(5e-3), logs)[0].cols(), 0);
 }
 
-// Motion of up to 2 mm slides such friction, so after the first turns its initial state has no influence.
+// Motion of up to 2 mm exceeds a displacement of 0.01 mm at half the force by far, so friction soon forgets its start.
 TEST(FrictionStarts, AreNextToNoneWhereMotionSlides) { EXPECT_LT(forgotten(1e-5), 0.06); }
 
-// With 200 mm to half its force, friction acts as a spring at 2 mm; its initial force is a constant offset.
+// With a displacement of 200 mm at half the force, friction acts as a spring. Its initial force is a constant offset.
 TEST(FrictionStarts, AreAZeroWhereFrictionHardlyMoves) { EXPECT_LT(forgotten(0.2), 1e-3); }
 
-// In between, the initial force decays within the log.
+// Between the two limits, the initial force decays within the log.
 TEST(FrictionStarts, AreLargestInBetween) { EXPECT_GT(forgotten(5e-3), forgotten(0.2)); }
 
 }  // namespace

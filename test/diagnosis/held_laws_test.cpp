@@ -1,4 +1,4 @@
-// Laws that may be written keep their force while the displacement is held and its sensor is noisy.
+// Each law keeps its force while the displacement is held and the displacement sensor is noisy.
 #include "diagnosis/effect.h"
 #include "gap/simulate.h"
 #include "rubber_suspension/log/record.h"
@@ -13,7 +13,7 @@ constexpr double kHeldNoise = 1e-6;    // standard deviation [m]
 constexpr double kSpringBeside = 1e6;  // spring beside each law [N/m]
 constexpr Eigen::Index kHeldSamples = 10000;
 
-// Ramps to 2 mm within 1.5 s and holds it to 10 s.
+// Returns a record with a ramp to 2 mm within 1.5 s and a hold until 10 s.
 log::Record held() {
   log::Record record;
   record.dt = kHeldStep;
@@ -29,7 +29,7 @@ log::Record held() {
   return record;
 }
 
-// Returns the mean force over the 0.5 s from a time [s].
+// Returns the mean force in the 0.5 s after a time [s].
 double meanAt(const Eigen::VectorXd& force, double time) {
   return force.segment(static_cast<Eigen::Index>(time / kHeldStep), kHeldSamples / 20).mean();
 }
@@ -55,9 +55,8 @@ fit::Excitation excitation() {
   return result;
 }
 
-// The force that sensor noise removes from a law at a hold is lost at its beginning and grows no more after that. The
-// tolerance is 2 % of the force of the law plus 5 standard deviations of the difference of two means of 500 noisy
-// samples.
+// Sensor noise reduces the force of a law when a hold begins; during the hold the loss must not grow. The tolerance is
+// 2 % of the force of the law plus 5 standard deviations of the difference of two means of 500 noisy samples.
 TEST(HeldDisplacement, KeepsTheForceOfAnyLawThatIsWritten) {
   const log::Record record = held();
   for (const fit::Candidate& candidate : diagnosis::candidates(excitation())) {

@@ -1,4 +1,4 @@
-// A report that contradicts itself is detected and has no verdict.
+// A report whose statements contradict each other is detected and gets no verdict.
 #include "diagnosis/invariants.h"
 
 #include "diagnosis/hypotheses/workings.h"

@@ -8,8 +8,8 @@
 
 namespace rubber_suspension::diagnosis {
 
-constexpr double kNoise = 0.01;    // relative noise of K* that a good laboratory states
-constexpr int kMostCycles = 2000;  // until a loop is settled
+constexpr double kNoise = 0.01;    // relative noise of the complex stiffness in a good laboratory
+constexpr int kMostCycles = 2000;  // cycles after which a loop counts as settled
 
 inline io::ComponentDescription bush(const std::string& model, const std::string& more = "") {
   return componentOf("components:\n  bush:\n    " + model + "\n" + more);
@@ -25,7 +25,7 @@ inline const char* const kManyMaxwell =
     "{model: multi_maxwell, specification: {static_stiffness: 3.0e6, dynamic_stiffness: 4.2e6, nominal_frequency: 4.0, "
     "maximum_stiffness: 4.9e6, high_frequency: 25.0}";
 
-/// Friction of 200 N.
+/// Friction with a maximum force of 200 N.
 inline const char* const kFriction = "{type: friction, maximum_force: 200, displacement: 4.0e-4}";
 
 inline io::ComponentDescription without(const std::string& model) { return bush(model + "}"); }
@@ -33,7 +33,7 @@ inline io::ComponentDescription with(const std::string& model, const std::string
   return bush(model + ", add: [" + entry + "]}");
 }
 
-// Measures the settled loop of a component by code that the diagnosis does not use.
+// Measures the settled loop of a component without any code of the diagnosis.
 inline fit::TablePoint pointOf(const component::Component& component, double frequency, double amplitude,
                                double mean = 0.0, int most_cycles = kMostCycles) {
   response::LoopOptions options;
@@ -43,7 +43,7 @@ inline fit::TablePoint pointOf(const component::Component& component, double fre
   return {frequency, amplitude, loop.stiffness, loop.loss_angle, mean};
 }
 
-// A laboratory whose stiffness and loss angle have the same relative error.
+// Measures tables in which stiffness and loss angle have the same relative error.
 class Laboratory {
  public:
   explicit Laboratory(unsigned seed, double noise = kNoise, int most_cycles = kMostCycles)

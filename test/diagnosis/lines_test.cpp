@@ -1,4 +1,4 @@
-// Lines of mains and pumps in the force of all logs, and signals that may be mistaken for them.
+// Spectral lines of mains and pumps in the force of all logs, and signals that may be mistaken for such lines.
 #include "diagnosis/prepare/lines.h"
 
 #include "diagnosis/checked_diagnosis.h"
@@ -11,7 +11,7 @@ namespace {
 
 using diagnosis::prepare::RigLines;
 
-// An oscillation [N] whose phase is a random walk of 0.3 rad in one second.
+// Returns an oscillation [N] whose phase is a random walk with a standard deviation of 0.3 rad after 1 s.
 RigEffect line(double frequency, double amplitude) {
   return [=, generator = std::mt19937(7), phase = 0.0, before = 0.0](double time, double, double) mutable {
     phase += std::normal_distribution<double>(0.0, 0.3 * std::sqrt(std::max(time - before, 0.0)))(generator);
@@ -35,7 +35,7 @@ RigLines linesOf(const std::vector<log::Log>& logs) {
       records, gap::simulateEach(rigComponent().allElements(), {records.begin(), records.end()}));
 }
 
-// Logs of 20 s of a sine of a frequency [Hz], one for each of three amplitudes.
+// Records 20 s of a sine of a frequency [Hz] at three amplitudes, one log for each.
 std::vector<log::Log> sines(double frequency, const RigEffect& effect) {
   std::vector<log::Log> logs;
   for (const unsigned seed : {1U, 2U, 3U}) {
@@ -71,11 +71,11 @@ TEST(Lines, AreFoundWithFrequencyAmplitudeAndPhase) {
   for (Eigen::Index i = 0; i < lines.forces[0].size(); ++i) {
     left += std::pow(lines.forces[0][i] - same(0.004 * static_cast<double>(i), 0.0, 0.0), 2);
   }
-  EXPECT_LT(std::sqrt(left / static_cast<double>(lines.forces[0].size())), 8.0);  // of 42 N
+  EXPECT_LT(std::sqrt(left / static_cast<double>(lines.forces[0].size())), 8.0);  // the line has an RMS of 42 N
 }
 
 TEST(Lines, AreNamedAsHarmonicsAndAliases) {
-  // At 250 samples per second, 180 Hz are at 70 Hz.
+  // Sampling at 250 Hz shows a line of 180 Hz at 70 Hz.
   const RigLines lines = linesOf(runRigs({1, 2}, both(both(line(31.0, 60.0), line(62.0, 50.0)), line(180.0, 70.0))));
   ASSERT_THAT(lines.findings, SizeIs(6));
   EXPECT_THAT(lines.findings[0].text, HasSubstr("31.0 Hz, "));
@@ -90,7 +90,7 @@ TEST(Lines, AreInAllLogs) {
   EXPECT_THAT(linesOf(logs).findings, SizeIs(0));
 }
 
-// Friction produces harmonics of a sine and their aliases, which are as steady as any line.
+// Friction produces harmonics of a sine and their aliases. They are as steady as the lines of mains and pumps.
 TEST(Lines, AreNoMultiplesOfTheMotion) {
   for (const double frequency : {1.0, 2.3, 5.0, 8.7, 16.7}) {
     EXPECT_THAT(linesOf(sines(frequency, rigFriction())).findings, SizeIs(0)) << frequency;
@@ -100,7 +100,7 @@ TEST(Lines, AreNoMultiplesOfTheMotion) {
   EXPECT_NEAR(beside.findings[0].frequency, 48.3, 0.1);
 }
 
-// A resonance with a high quality factor excited by noise is narrow as well, but its amplitude varies.
+// A resonance of high quality excited by noise is as narrow as a line of mains or pumps, but its amplitude varies.
 TEST(Lines, AreSteady) {
   const double omega = 2.0 * element::kPi * 30.0 * 0.004;
   const double decay = std::exp(-omega / 200.0);

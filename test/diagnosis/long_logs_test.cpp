@@ -1,4 +1,4 @@
-// The summary that is kept of logs that are longer than memory.
+// The summary that the diagnosis keeps of a log that is too long for the memory.
 #include "diagnosis/prepare/lead_in.h"
 #include "diagnosis/prepare/log_survey.h"
 #include "diagnosis/results/replayed.h"
@@ -29,7 +29,7 @@ double deviationOf(const std::vector<double>& z, std::size_t first, std::size_t 
   return std::sqrt(squares / count);
 }
 
-// A sine of a small amplitude about a large mean, with one cycle of twice the amplitude.
+// Returns a sine of 1 mm about a mean of 0.5 m, with one cycle of twice the amplitude.
 std::vector<double> motion(std::size_t samples, double per_cycle) {
   std::vector<double> z(samples);
   for (std::size_t i = 0; i < samples; ++i) {
@@ -50,12 +50,12 @@ TEST(MotionSurvey, KnowsALongMotionByItsStretches) {
     }
     EXPECT_EQ(survey.samples(), kSamples);
     EXPECT_EQ(survey.stretch(), 8U);  // the smallest power of two with at most 65,536 stretches
-    // The mean of 0.5 is 500 times the amplitude: both ways of summing squares lose at most six of sixteen digits.
+    // The mean is 500 times the amplitude, which costs a deviation from sums of squares at most 6 of 16 digits.
     EXPECT_NEAR(survey.deviation(0, kSamples), deviationOf(z, 0, kSamples), 1e-12);
     EXPECT_NEAR(survey.deviation(8000, 16000), deviationOf(z, 8000, 16000), 1e-12);
     const auto largest = static_cast<std::size_t>(std::max_element(z.begin(), z.end()) - z.begin());
     EXPECT_EQ(survey.largest(), largest / 8 * 8);
-    // The number of crossings is two per cycle, plus or minus one.
+    // Each cycle crosses the mean twice. The count of crossings may be off by one.
     EXPECT_NEAR(survey.samplesPerCycle(), per_cycle, per_cycle * per_cycle / static_cast<double>(kSamples));
   }
 }
@@ -88,12 +88,12 @@ TEST(LeadIn, IsMeansWhereTheseHoldTheMotion) {
   EXPECT_NEAR(of_means.dt, 0.01, 1e-12);
   const std::vector<double> z = motion(10025, 1000.0);
   for (std::size_t i = 0; i < 1000; ++i) {
-    const auto begin = z.begin() + static_cast<std::ptrdiff_t>(15 + 10 * i);  // the first five samples fill no step
+    const auto begin = z.begin() + static_cast<std::ptrdiff_t>(15 + 10 * i);  // 5 samples fill no step
     ASSERT_NEAR(of_means.displacement[i], std::accumulate(begin, begin + 10, 0.0) / 10.0, 1e-12);
   }
 }
 
-// Sixteen samples of a cycle of twenty have a mean close to zero.
+// With 20 samples per cycle, means of 16 samples are close to zero.
 TEST(LeadIn, KeepsAmplitudesWhereMeansLoseThem) {
   for (const std::size_t samples : {3200U, 3216U}) {  // an even and an odd number of steps
     const log::LeadIn lead_in = leadIn(samples, 20.0, 16);

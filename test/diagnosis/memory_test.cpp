@@ -1,4 +1,4 @@
-// Logs that need more than the machine's memory are refused before the search.
+// Logs that need more memory than the computer has are refused before the search.
 #include "diagnosis/prepare/memory.h"
 
 #include "rig.h"

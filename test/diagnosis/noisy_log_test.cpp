@@ -9,7 +9,7 @@ TEST(NoisyLog, CountsAsIfItHadAcceptedNoise) {
   const std::vector<measurement::LogWeight> logs = measurement::weightsByNoise({0.01, 0.02, 0.2}, 0.02);
   ASSERT_EQ(logs.size(), 3U);
   EXPECT_DOUBLE_EQ(logs[0].weight, logs[1].weight);
-  EXPECT_NEAR(logs[2].weight / logs[0].weight, 0.01, 1e-12);  // (0.02/0.2)^2
+  EXPECT_NEAR(logs[2].weight / logs[0].weight, 0.01, 1e-12);  // the square of 0.02/0.2
   EXPECT_NEAR(logs[0].weight + logs[1].weight + logs[2].weight, 3.0, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// The figure of `diagnose --plot`: panels that show where the gap is and how large, titled with the findings.
+// The figure of `diagnose --plot` has panels that show how large the gap is and where, with the findings as titles.
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/hypotheses/workings.h"
@@ -9,7 +9,7 @@
 namespace rubber_suspension {
 namespace {
 
-// A record of a sine whose model is off by 100 N before the augmentation and exact after it.
+// Returns a diagnosis with a sine log, whose model is off by 100 N before the augmentation and exact after it.
 diagnosis::Diagnosis madeUp(const std::string& log = "sine") {
   constexpr Eigen::Index kSize = 2000;
   log::Record record;
@@ -38,11 +38,11 @@ TEST(OverviewFigure, ShowsLoopsResidualsAndTime) {
   EXPECT_EQ(figure.title, "bush: named: friction, creep");
   ASSERT_EQ(figure.axes.size(), 3U);  // without cells there is no map
   EXPECT_EQ(figure.axes[0].title, "Force over displacement\nsine, 0 to 2 s");
-  EXPECT_NEAR(figure.axes[1].curves[0].y[0], -0.1, 1e-12);  // measured less configured [kN]
+  EXPECT_NEAR(figure.axes[1].curves[0].y[0], -0.1, 1e-12);  // measured minus configured force [kN]
   EXPECT_NEAR(figure.axes[1].curves[2].y[0], 0.0, 1e-12);
 }
 
-// Labels have the units of a rotation; the name of a log that looks like a unit is unchanged.
+// Labels state the units of a rotation. The name of a log stays unchanged even if it resembles a unit.
 TEST(OverviewFigure, HasUnitsOfARotationAndNamesAsTheyAre) {
   diagnosis::Diagnosis diagnosis = madeUp("run 3 N");
   diagnosis.turns = true;
@@ -74,7 +74,7 @@ TEST(OverviewFigure, MapsTheGapWhereItIsKnown) {
   const io::Figure figure = diagnosis::report::overviewFigure(diagnosis);
   ASSERT_EQ(figure.axes.size(), 4U);
   ASSERT_EQ(figure.axes[1].maps.size(), 1U);
-  EXPECT_NEAR(figure.axes[1].maps[0].values.at(0), 90.0, 1e-9);  // [%], stiffness and loss together
+  EXPECT_NEAR(figure.axes[1].maps[0].values.at(0), 90.0, 1e-9);  // sum of stiffness and loss [%]
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Errors of single logs are reported for these logs and written to no file; no file fits a log worse.
+// Errors of a single log are reported for this log and written to no file. No written file fits a log worse.
 #include "diagnosis/results/own_errors.h"
 
 #include "checked_diagnosis.h"
@@ -48,7 +48,7 @@ TEST(LeftOfLogs, IsWithoutAnOffsetAndTheRigsPart) {
   record.name = "one";
   record.dt = 0.01;
   const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(1000, 0.0, 9.99);
-  const Eigen::VectorXd force = 1e3 * (2.0 * time).sin() * (time / 3.0).min(1.0).square();  // from rest
+  const Eigen::VectorXd force = 1e3 * (2.0 * time).sin() * (time / 3.0).min(1.0).square();  // starts from rest
   record.displacement = record.raw_displacement = 1e-6 * force;
   record.force = 1.1 * force.array() + 50.0;
   record.force_deviation = gap::standardDeviation(record.force);
@@ -63,7 +63,7 @@ TEST(LeftOfLogs, IsWithoutAnOffsetAndTheRigsPart) {
   EXPECT_EQ(excessOf(without), 0.0);
 }
 
-// A small increase in one log is accepted, but not over all logs together.
+// A small increase of the residual of one log is accepted. A small increase over all logs together is not.
 TEST(LeftOfLogs, CountTogether) {
   EXPECT_EQ(excessOf({{"a", 0.010, 0.011, 4e-5}, {"b", 0.02, 0.01, 4e-5}}), 0.0);
   EXPECT_GT(excessOf({{"a", 0.010, 0.011, 4e-5}}), 0.0);

@@ -34,8 +34,8 @@ TEST(ModelParameters, LeaveTheConfiguredModelAsItIs) {
   }
 }
 
-// The parameters are chosen so that any combination of them is a valid model: each up to a factor of 3 off, and alpha,
-// the ratio of neighbouring stiffnesses, anywhere within its bounds.
+// Any combination of the parameters of the fit is a valid model. The loop draws each parameter up to a factor of 3 off,
+// and the ratio of neighbouring stiffnesses (alpha) anywhere within its bounds.
 TEST(ModelParameters, HaveAModelEverywhere) {
   const fit::ModelParameters model(fiveInputs(), fit::Level::specification);
   std::mt19937 generator(3);
@@ -60,7 +60,7 @@ TEST(Record, EstimatesTheNoiseOfTheDisplacement) {
   }
   const log::Record record = log::makeRecord(log);
   EXPECT_NEAR(record.displacement_noise, 1e-6, 0.15e-6);  // the median of about 200 averaged spectral lines
-  EXPECT_LT(record.highest_frequency, 15.0);              // the fastest sine has 6.3 Hz; the sweep broadens it
+  EXPECT_LT(record.highest_frequency, 15.0);              // the estimate uses about 200 averaged spectral lines
 }
 
 TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
@@ -74,11 +74,11 @@ TEST(Record, FiltersOnlyTheNoiseOutOfTheDisplacement) {
   const log::Record record = log::makeRecord(noisy);
   ASSERT_GT(record.passed_frequency, 0.0);
   const Eigen::Map<const Eigen::VectorXd> z(clean.displacement.data(), record.size());
-  constexpr Eigen::Index kEnds = 250;  // where the filter sees a mirrored displacement
+  constexpr Eigen::Index kEnds = 250;  // the filter mirrors the displacement at the ends of the log
   const Eigen::Index inner = record.size() - 2 * kEnds;
   const Eigen::VectorXd error = (record.displacement - z).segment(kEnds, inner);
   const double left = std::sqrt(error.squaredNorm() / static_cast<double>(inner));
-  // Noise below the edge of the filter remains: the share of its power up to 1.3 times the passed frequency.
+  // Noise below the cutoff of the filter remains: the share of its power up to 1.3 times the passed frequency.
   const double expected = 1e-6 * std::sqrt(1.3 * record.passed_frequency * 2.0 * record.dt);
   EXPECT_LT(left, 1.3 * expected);
   EXPECT_LT(left, 0.7e-6);
@@ -103,7 +103,7 @@ TEST(FrictionNoise, IsNothingWithoutFriction) {
             std::vector<double>{0.0});
 }
 
-// The displacement without noise is known here, and so is the effect of noise on Berg's friction.
+// The displacement without noise is known here, so the effect of the noise on Berg's friction can be computed.
 TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
   const std::vector<element::ElementDescription> friction = {
       {"friction", {{"maximum_force", {300.0}}, {"displacement", {2e-4}}, {"dead_band", {2e-5}}}}};
@@ -115,7 +115,7 @@ TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
   const double known = rootMeanSquare(done) / noisy.force_deviation;
   const double estimated = measurement::frictionNoise(friction, {noisy}).front();
   EXPECT_GT(known, 1e-3) << "there is something to be estimated";
-  // A single draw of few events is compared with a mean over three draws and three dead bands.
+  // This compares one draw of a few events with a mean over three draws and three dead bands.
   EXPECT_GT(estimated, 0.4 * known);
   EXPECT_LT(estimated, 2.5 * known);
 }
@@ -144,10 +144,10 @@ TEST(Record, RefusesALogThatDoesNotMove) {
   EXPECT_THROW(log::makeRecord(log), log::LogError);
 }
 
-// Scales of basis terms by candidate, in units of their typical scales; all others are zero.
+// Scales of the basis terms of each candidate, in units of their typical scales. Terms not listed have scale zero.
 using Scales = std::map<std::string, std::vector<double>>;
 
-// A hypothesis of the first terms of those candidates that have scales.
+// Returns the hypothesis of the listed candidates, each with as many basis terms as it has scales.
 fit::Hypothesis hypothesisOf(std::vector<fit::Candidate> candidates, const Scales& scales) {
   std::vector<int> members;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
@@ -178,13 +178,13 @@ TEST(Candidates, AreEnteredOnceEach) {
   std::set<std::string> names;
   for (const fit::Candidate& candidate : diagnosis::candidates(fit::summarise(records))) {
     EXPECT_TRUE(names.insert(candidate.effect).second) << candidate.effect;
-    // The logs have no temperature, no displacement across, and forces of both signs.
+    // The logs contain no temperature, no displacement across, and forces of both signs.
     EXPECT_EQ(candidate.applies(), candidate.effect != "temperature" && candidate.effect != "radial_coupling" &&
                                        candidate.effect != "lift_off")
         << candidate.effect;
     EXPECT_FALSE(candidate.documentation.empty()) << candidate.effect;
   }
-  // The effects that reports may name, besides parameter_error and unknown.
+  // These are all effects that reports may name, besides parameter_error and unknown.
   const std::set<std::string> contract = {
       "friction",        "relaxation", "creep",        "viscous_damping",   "progressive_stiffness",
       "free_play",       "bump_stop",  "self_heating", "stress_softening",  "asymmetric_stiffness",
@@ -195,7 +195,7 @@ TEST(Candidates, AreEnteredOnceEach) {
   EXPECT_THAT(io::effectNames(), ::testing::ElementsAreArray(names)) << "that a component file may exclude";
 }
 
-// Radial coupling needs a displacement across that is not proportional to the own one and not negligible.
+// Radial coupling needs a displacement across that is neither negligible nor proportional to the displacement.
 TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
   const auto offered = [](double share, double apart) {
     log::Log log = noisyLog(0.0);
@@ -215,8 +215,8 @@ TEST(Candidates, RadialCouplingNeedsAnotherDisplacement) {
   EXPECT_FALSE(offered(0.0, 0.01));
 }
 
-// Lift-off is offered if the forces of one sign are weak: below the size of an offset by a contact without preload,
-// above it by contacts with a preload and a slack stiffness as well.
+// Lift-off is offered if the forces of one sign are weak. Below the size of a sensor offset, its only term is a contact
+// without preload. Above, it also has contacts with a preload and a slack stiffness.
 TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
   for (const double side : {1.0, -1.0}) {
     for (const double share : {0.0, 0.05, 0.25, 0.5, 0.9}) {
@@ -238,7 +238,7 @@ TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
   }
 }
 
-// A law with others as a limit has their terms, once each, and more numbers than they have.
+// A candidate that contains others has their basis terms once each. It counts as more mechanisms than they do.
 TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   const std::vector<fit::Candidate> all = diagnosis::candidates(fit::summarise({log::makeRecord(noisyLog(0.0))}));
   const auto placeOf = [&](const std::string& effect) {
@@ -306,7 +306,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<element::ElementDescription>{{"time_delay", {{"delay", {0.01}}}}},
                     std::vector<element::ElementDescription>{{"series_compliance", {{"stiffness", {1e7}}}}}));
 
-// Superposed unit effects give the forces and normal equations of a simulation of the whole model.
+// Superposing unit effects gives the same forces and normal equations as simulating the whole model.
 TEST_P(KnownEffects, AreWhatSimulationGives) {
   io::ComponentDescription component = rigComponent();
   component.add = GetParam();
@@ -335,12 +335,12 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
     const fit::BlockGrams expected_grams = fitter.linearise(simulated, parameters);
     const Eigen::MatrixXd& expected_sum = expected_grams.sum;
     const Eigen::MatrixXd actual_sum = fitter.linearise(superposed, parameters, {}, 2).sum;
-    // Scaled by the columns before elimination, which removes all of an offset but its rounding.
+    // Rows and columns are scaled by their norms before elimination, which reduces an offset to rounding errors.
     const Eigen::VectorXd size = expected_grams.squares.cwiseSqrt().cwiseMax(1e-300);
     const Eigen::MatrixXd difference =
         size.cwiseInverse().asDiagonal() * (actual_sum - expected_sum) * size.cwiseInverse().asDiagonal();
-    // Difference quotients have rounding errors of 1e-16 of the force over the smallest effect, 1e-4 of it. About a
-    // model with other effects, or beside self-heating, columns of terms are accurate in direction only.
+    // Difference quotients have rounding errors of 1e-16/1e-4. Beside other effects in the model, or beside
+    // self-heating, the derivatives with respect to scales have an accurate direction, but not an accurate size.
     const bool displaces = !GetParam().empty() || cases[i].count("self_heating") != 0;
     const Eigen::Index of_model = parameters.model.size();
     for (Eigen::Index j = 0; j < difference.cols(); ++j) {

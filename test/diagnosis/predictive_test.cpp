@@ -1,4 +1,4 @@
-// Intervals of the closed share on further logs: their coverage, and what narrows them.
+// Intervals of the share of the gap that a law closes on further logs: their coverage, and what narrows them.
 #include "diagnosis/results/predictive.h"
 
 #include "diagnosis/judge/score.h"
@@ -13,12 +13,12 @@ using diagnosis::judge::Evidence;
 using diagnosis::results::Closing;
 
 constexpr double kGap = 0.2;       // before augmentation
-constexpr double kRemoved = 0.03;  // square of the force that the law adds, relative
+constexpr double kRemoved = 0.03;  // square of the force that the law adds, relative to the measured force
 constexpr Closing kFirst{Evidence::kFirstSingle, 1.0, true};
 
 double width(const std::array<double, 2>& interval) { return interval[1] - interval[0]; }
 
-// Logs of one rig whose law leaves the residual that the judgement expects, times a factor of the rig.
+// Draws logs of one rig. Its law has the residual that the judgement expects, times a random factor of the rig.
 class Rig {
  public:
   explicit Rig(unsigned seed) : generator_(seed) {
@@ -60,8 +60,8 @@ double closedOf(const std::vector<double>& left) {
   return gap::closedFraction(kGap, std::sqrt(sum), kFloor);
 }
 
-// The rigs follow the model of the judgement, so 95 % of the intervals contain what is closed on as many further logs:
-// 190 of 200, with four standard deviations of 12.
+// The rigs follow the model of the judgement, so 95 % of 200 intervals contain the share closed on further logs. The
+// tolerance is four standard deviations.
 TEST(ClosedOnFurtherLogs, HoldsWhatIsClosedThere) {
   for (const std::size_t logs : {3U, 6U}) {
     int held = 0;
@@ -84,7 +84,7 @@ TEST(ClosedOnFurtherLogs, IsNarrowWhereManyLogsAgree) {
   EXPECT_GT(many[0], 0.9);
 }
 
-// Beside a residual force the prior of the form error does not apply.
+// If other effects act besides the law, the prior of its form error does not apply.
 TEST(ClosedOnFurtherLogs, IsWiderBesideARest) {
   const Evidence evidence = evidenceOf(std::vector<double>(3, std::pow(0.08, 2)));
   Closing beside = kFirst;
@@ -93,7 +93,7 @@ TEST(ClosedOnFurtherLogs, IsWiderBesideARest) {
             width(closedOnFurtherLogs(scoreTable(evidence), kFirst, 1000, 1)));
 }
 
-// A law at work opens no gap; a law that is not may do so.
+// A law that closes some of the gap never opens it on further logs. A law without such evidence may do so.
 TEST(ClosedOnFurtherLogs, IsBelowZeroForLawsThatAreNotAtWorkAlone) {
   const Evidence evidence = evidenceOf(std::vector<double>(2, std::pow(0.19, 2)));
   Closing other = kFirst;

@@ -1,4 +1,4 @@
-// The words of a report, its record of the run, and the numbers behind its figures.
+// The sentences of a report, its record of the run, and the numbers behind its figures.
 #include <sys/wait.h>
 
 #include <nlohmann/json.hpp>
@@ -47,7 +47,7 @@ std::string outputOf(const std::string& command) {
 
 TEST(RunRecord, NamesFilesByTheirSha256) {
   const std::string path = testing::TempDir() + "run record's file";
-  std::string content(200000, 'x');  // more than one portion
+  std::string content(200000, 'x');  // longer than one read of the digest
   content += '\0';
   std::ofstream(path, std::ios::binary) << content;
   setenv("SOURCE_DATE_EPOCH", "86399", 1);
@@ -97,7 +97,7 @@ double named(const std::vector<diagnosis::HeadlineValue>& values, const std::str
   return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
 
-// Sliders that realise a friction of 6 kN, half of it at 0.35 mm, are reported with these two numbers.
+// Sliders with a friction of 6 kN, half of it at 0.35 mm, are reported with these two numbers.
 TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
   element::ElementDescription table{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
   for (const element::JenkinsSlider& slider : element::iwanSliders(6000.0, 3.5e-4, 64)) {
@@ -109,12 +109,12 @@ TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
   const auto values = headlineValuesOf({table});
   EXPECT_NEAR(named(values, "maximum_force"), 6000.0, 1e-6);
   EXPECT_NEAR(named(values, "displacement"), 3.5e-4, 0.02 * 3.5e-4) << "chords of the hyperbola cut its corner";
-  // One slider has half of its force at half of its yield displacement.
+  // A single slider has half of its force at half of its yield displacement.
   const auto one = headlineValuesOf({{"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}}});
   EXPECT_NEAR(named(one, "displacement"), 1e-3, 1e-15);
 }
 
-// Rate-dependent and growing friction are parts of the same friction, so the limits add up.
+// All three elements are parts of the same friction, so the report adds up their maximum forces.
 TEST(Headline, AddsUpTheLimitsOfAllThatYields) {
   const std::vector<element::ElementDescription> friction = {
       {"iwan_table", {{"yield_displacement", {2e-3}}, {"stiffness", {1e6}}}},
@@ -129,7 +129,7 @@ TEST(Headline, AddsUpTheLimitsOfAllThatYields) {
   EXPECT_DOUBLE_EQ(named(alone, "maximum_force"), 1000.0);
 }
 
-// Seven terms of one effect are summarised by one number, and parameters that no fit varies are omitted.
+// Several terms of one effect are summarised by one number. Parameters that no fit varies are omitted.
 TEST(Headline, IsShortForPeople) {
   const auto softening =
       headlineValuesOf({{"stress_softening", {{"reduction", {0.2}}, {"width", {0.05}}, {"path", {1.0}}}},
@@ -142,7 +142,7 @@ TEST(Headline, IsShortForPeople) {
   EXPECT_DOUBLE_EQ(named(stop, "gap"), 0.002);
 }
 
-// Contacts in series are summarised by the first that opens and the stiffness that holds all of them.
+// Contacts in series are summarised by the preload of the first that opens and the total slack stiffness.
 TEST(Headline, OfContactsAreTheirPreloadAndWhatHoldsThem) {
   const element::ElementDescription strap{"lift_off", {{"side", {1.0}}}};
   element::ElementDescription bolted = strap;
@@ -223,7 +223,7 @@ TEST(Findings, AllHaveAMeaningAndARemedy) {
   EXPECT_GE(count, 15);
 }
 
-// The phrases on the first screen of a page; test/report/render_test.py looks for them there.
+// These phrases appear on the first screen of a page, where test/report/render_test.py looks for them.
 TEST(InWords, HasWhatTheFirstScreenShows) {
   diagnosis::Diagnosis d;
   d.component = "bush <1>";
@@ -343,7 +343,7 @@ TEST(Sentence, SaysThatAllDisplacementsHaveOneSign) {
   EXPECT_THAT(diagnosis::words::sentence(d), Not(HasSubstr("All displacements")));
 }
 
-// With a probability below one half no effect is named first.
+// No effect is named first if none has a probability of at least one half.
 TEST(Sentence, ListsWhatMayBeWhereNoEffectIsLikely) {
   diagnosis::Diagnosis d;
   d.answer.verdict = diagnosis::Verdict::confounded;

@@ -1,4 +1,4 @@
-// A small virtual rig for tests: a Zener solid integrated exactly, with effects and noise written by hand.
+// A small virtual rig for tests: an exactly integrated Zener solid, with handwritten effects and noise.
 #pragma once
 
 #include "rubber_suspension/element/constants.h"
@@ -10,19 +10,19 @@ namespace rubber_suspension {
 
 constexpr double kOneDeviation = 0.002;  ///< gap that a departure of one standard deviation counts as
 
-/// The component of all test rigs: M2 with K_st = 1e6 N/m, K_n = 1.3e6 N/m at 4 Hz, f_b = 3 Hz.
+/// Returns the Zener solid of all test rigs.
 inline io::ComponentDescription rigComponent() {
   return componentOf(
       "components:\n  bush:\n    model: maxwell\n    specification:\n      static_stiffness: 1.0e6\n"
       "      dynamic_stiffness: 1.3e6\n      nominal_frequency: 4.0\n      break_frequency: 3.0\n");
 }
 
-/// Force that a rig adds to that of the component [N], from time [s], displacement [m] and rate [m/s].
+/// Force [N] that an effect adds to the force of the component, from time [s], displacement [m] and rate [m/s].
 using RigEffect = std::function<double(double time, double displacement, double rate)>;
 
 inline double nothing(double /*time*/, double /*displacement*/, double /*rate*/) { return 0.0; }
 
-/// Returns an effect that depends on the steps of the displacement [m] and restarts at time 0 of each log.
+/// Returns an effect that depends on the steps of the displacement [m] and starts anew at time 0 of each log.
 inline RigEffect ofSteps(const std::function<double(double step)>& law) {
   return [law, running = law, last = 0.0](double time, double z, double /*rate*/) mutable {
     if (time == 0.0) {
@@ -41,10 +41,10 @@ inline RigEffect rigFriction() {
       [force = 0.0](double step) mutable { return force = std::clamp(force + 1.2e6 * step, -150.0, 150.0); });
 }
 
-/// Displacement [m] and rate [m/s] at a time [s]; called once per sample, in order.
+/// Returns displacement [m] and rate [m/s] at a time [s]. It is called once per sample, in order.
 using RigMotion = std::function<std::pair<double, double>(double time)>;
 
-/// Records 5000 samples of a motion at a time step [s], with noise of a standard deviation [N].
+/// Records 5000 samples of a motion with a time step [s] and noise of a standard deviation [N].
 inline log::Log runMotion(const std::string& name, std::mt19937& generator, const RigMotion& motion,
                           const RigEffect& effect, double noise, double step) {
   constexpr int kSamples = 5000;

@@ -18,12 +18,12 @@ inline double linearStop(double /*time*/, double z, double /*rate*/) {
   return std::copysign(2e6 * std::max(0.0, std::abs(z) - 0.0012), z);
 }
 
-/// Hum [N] of a drive that starts and stops: neither a function of the motion nor a steady line.
+/// Returns a hum [N] of a drive that starts and stops. It is neither a function of the motion nor a steady line.
 inline double hum(double time, double /*displacement*/, double /*rate*/) {
   return std::sin(1.3 * time) > 0.0 ? 170.0 * std::sin(314.159 * time) : 0.0;
 }
 
-/// Diagnoses three logs of a rig, with a fourth held out.
+/// Diagnoses three logs of a rig, and holds a fourth log out.
 inline diagnosis::Diagnosis diagnoseRig(const RigEffect& effect,
                                         const io::ComponentDescription& component = rigComponent()) {
   return checkedDiagnosis(component, runRigs({1, 2, 4}, effect), runRigs({3}, effect));
@@ -44,7 +44,7 @@ inline const diagnosis::Diagnosis& ofHum() {
   return run;
 }
 
-/// One log without a gap and without a held-out log.
+/// Returns the diagnosis of one log without a gap and without a held-out log.
 inline const diagnosis::Diagnosis& ofOneLog() {
   static const diagnosis::Diagnosis run = checkedDiagnosis(rigComponent(), runRigs({1}, nothing), {});
   return run;

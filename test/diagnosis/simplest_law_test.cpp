@@ -1,4 +1,4 @@
-// The law with the fewest numbers, and the file to which it is written.
+// The law with the fewest parameters, and the component file to which it is written.
 #include "diagnosis/results/simplest_law.h"
 
 #include "diagnosis/effect.h"
@@ -30,7 +30,7 @@ TEST(NumbersOfALaw, AreThoseThatAFitMoves) {
             6U);
 }
 
-// A component that lacks a law, its logs, and the full law of the candidate fitted to them.
+// Fits the full law of a candidate to logs of a component that lacks a law.
 class SimplestLaw : public testing::Test {
  protected:
   void fit(const std::string& effect, const diagnosis::results::Entries& missing) {
@@ -72,8 +72,8 @@ class SimplestLaw : public testing::Test {
   diagnosis::results::SimplestLaw simple_;
 };
 
-// On a settled loop, Iwan's law has 1.99 to 2.37 times the force of Berg's law with the same numbers (element/iwan.h),
-// so its fitted limit is between 672 and 800 N where Berg's is 800 N.
+// On a settled loop, Iwan's law has 1.99 to 2.37 times the force of Berg's law with the same parameters
+// (element/iwan.h). So its fitted maximum force lies between 672 and 800 N if that of Berg's law is 800 N.
 TEST_F(SimplestLaw, OfFrictionHasTwoNumbers) {
   fit("friction", {friction(800.0, 1e-4)});
   expectPaid();
@@ -90,7 +90,7 @@ TEST_F(SimplestLaw, OfASymmetricStopIsOneEntry) {
   EXPECT_NEAR(found()[0].value("stiffness"), 2e6, 4e4);
 }
 
-// The count of numbers of a law gives no evidence about how hard the stop is.
+// A law with fewer parameters is no evidence about how hard the stop is.
 TEST_F(SimplestLaw, OfAStopWeighsOtherLawsByTheirErrorsAlone) {
   fit("bump_stop", {{"bump_stop", {{"stiffness", {2e6}}, {"gap", {1.32e-3}}, {"exponent", {1.3}}}}});
   ASSERT_FALSE(simple_.others.empty());
@@ -101,7 +101,7 @@ TEST_F(SimplestLaw, OfAStopWeighsOtherLawsByTheirErrorsAlone) {
   }
 }
 
-// Iwan's sliders need no dead band against sensor noise; Berg's friction does.
+// Berg's friction needs a dead band against sensor noise. Iwan's sliders do not.
 TEST_F(SimplestLaw, OfFrictionMayBeIwans) {
   fit("friction", {{"iwan", {{"maximum_force", {800.0}}, {"displacement", {1e-4}}}}});
   expectPaid();
@@ -110,7 +110,7 @@ TEST_F(SimplestLaw, OfFrictionMayBeIwans) {
   EXPECT_NEAR(headlineOf(found()).at("maximum_force"), 800.0, 80.0);
 }
 
-// The candidate has tracks on both sides of this resonance (4.1 Hz) and of its damping ratio (0.2).
+// The candidate has fluid tracks on both sides of the resonance at 4.1 Hz and of the damping ratio of 0.2.
 TEST_F(SimplestLaw, OfAHydraulicMountIsOneTrack) {
   fit("fluid_inertia", {{"inertia_track", {{"mass", {600.0}}, {"damping", {6200.0}}, {"stiffness", {4e5}}}}});
   expectPaid();
@@ -120,7 +120,7 @@ TEST_F(SimplestLaw, OfAHydraulicMountIsOneTrack) {
   EXPECT_NEAR(found()[0].value("stiffness"), 4e5, 8e3);
 }
 
-// Loss grows with the square of the rate; two linear tracks would imitate it with six numbers.
+// Loss grows with the square of the rate. Two linear tracks would imitate this with six parameters instead of four.
 TEST_F(SimplestLaw, OfATurbulentMountIsOneTrack) {
   fit("fluid_inertia",
       {{"inertia_track",
@@ -167,7 +167,7 @@ TEST(WrittenComponent, HasNumbersThatAreKnown) {
   EXPECT_EQ(io::toYaml({read}), io::toYaml({d.law.augmented})) << "the file is the component, to the last bit";
 }
 
-// Large numbers are rounded as well, and the ends of an interval have the digits of their value.
+// Large numbers are rounded as well, and the limits of an interval have as many digits as their value.
 TEST(WrittenComponent, HasIntervalsInTheDigitsOfTheNumbers) {
   diagnosis::Diagnosis d;
   io::ComponentDescription exact = inUnits();
@@ -202,7 +202,7 @@ TEST(Headline, TellsStopsBySide) {
   EXPECT_DOUBLE_EQ(values.at("stiffness_in_compression"), 4e6);
 }
 
-// The width of a dead zone is no measure of the lost motion if only a tenth of the motion passes it.
+// The width of a dead zone does not measure the lost motion if only a tenth of the motion passes through the zone.
 TEST(Headline, TellsPlayByTheMotionThatIsLost) {
   EXPECT_DOUBLE_EQ(headlineOf({{"free_play", {{"gap", {1e-4}}}}}).at("gap"), 1e-4);
   const auto both = headlineOf(

@@ -1,5 +1,5 @@
-// Single directions of a component of six: which can be diagnosed alone, the cross map, units of rotations. Whole
-// diagnoses are tested in test/usage/six_directions_test.py.
+// Diagnosis of single directions of a component with six: directions that can be diagnosed alone, the cross map, units
+// of rotations. Whole diagnoses are in test/usage/six_directions_test.py.
 #include "rubber_suspension/diagnosis/six_directions.h"
 
 #include "diagnosis/results/cross_map.h"
@@ -18,10 +18,10 @@ using component::kY;
 using component::kZ;
 using results::crossShare;
 
-constexpr double kNoiseLeft = 5.0;  // of the residuals [N]
+constexpr double kNoiseLeft = 5.0;  // noise of the residuals [N]
 
-// x, y and z move at different frequencies, rx as x does, and the others stand still. With displacements in mm, the
-// residual of x is coupling(x, z) [N] plus noise and an offset per log; other residuals are noise.
+// x, y and z move at different frequencies, rx moves in proportion to x, and ry and rz stand still. The residual of x
+// is coupling(x, z) [N], with x and z in mm, plus noise and an offset per log. Other residuals are noise.
 template <class Coupling>
 std::vector<results::DirectionResiduals> residuals(Coupling coupling) {
   std::mt19937 generator(7);
@@ -48,7 +48,7 @@ std::vector<results::DirectionResiduals> residuals(Coupling coupling) {
 TEST(CrossMap, SaysWhichDisplacementPredictsTheRest) {
   const auto logs = residuals([](double x, double z) { return 40.0 * x * z; });
   const CrossShare by_z = crossShare(logs, kX, kZ);
-  // 40 N/mm^2 times 1.5/sqrt(2) mm and 1/sqrt(2) mm; all else is noise.
+  // The product of 40 N/mm^2 and the RMS displacements, 1.5/sqrt(2) mm and 1/sqrt(2) mm. All else is noise.
   const double rms = 40.0 * 1.5 / 2.0;
   EXPECT_NEAR(by_z.force, rms, 0.02 * rms);
   EXPECT_NEAR(by_z.share, rms * rms / (rms * rms + kNoiseLeft * kNoiseLeft), 0.01);
@@ -56,7 +56,7 @@ TEST(CrossMap, SaysWhichDisplacementPredictsTheRest) {
   EXPECT_LT(crossShare(logs, kZ, kX).share, 0.01);
 }
 
-// A residual that is a function of the direction's own motion, or noise, is no coupling.
+// A residual is no coupling if it is noise or a function of the displacement in its own direction.
 TEST(CrossMap, OwnMotionAndNoiseAreNoCoupling) {
   const auto logs = residuals([](double x, double) { return 30.0 * x * x * x; });
   for (const component::Direction by : {kY, kZ}) {
@@ -67,8 +67,8 @@ TEST(CrossMap, OwnMotionAndNoiseAreNoCoupling) {
 
 TEST(CrossMap, IsEmptyWhereTheOtherTellsNothing) {
   const auto logs = residuals([](double x, double) { return 30.0 * x; });
-  EXPECT_TRUE(std::isnan(crossShare(logs, kX, kRx).share));  // moves as x
-  EXPECT_TRUE(std::isnan(crossShare(logs, kX, kRz).share));  // stands still
+  EXPECT_TRUE(std::isnan(crossShare(logs, kX, kRx).share));  // rx moves in proportion to x
+  EXPECT_TRUE(std::isnan(crossShare(logs, kX, kRz).share));  // rz stands still
 }
 
 io::ComponentDescription radialBush() {
@@ -81,7 +81,7 @@ io::ComponentDescription radialBush() {
       .front();
 }
 
-// Simulating one direction with the other as a given motion gives the force of the whole bush.
+// Simulating x with the displacement of y as an input gives the force of the whole bush.
 TEST(RadialStiffness, OfARecordIsThatOfTheBush) {
   const component::SixDirections bush = radialBush().six->makeComponent();
   component::SixDirectionsState state = bush.makeState();

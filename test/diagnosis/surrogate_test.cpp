@@ -1,4 +1,4 @@
-// The statements on a residual force that no effect explains, and the surrogate that a diagnosis writes.
+// Statements about the residual force that no effect explains, and the surrogate for it.
 #include "diagnosis/results/surrogate.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFloor = 0.01;
 
-/// Judges six blocks of each log, whose gap falls from 0.1 to the value given for that log.
+/// Judges six held-out blocks per log. Their gap falls from 0.1 to the value given for their log.
 Surrogate judged(const std::vector<double>& after) {
   std::vector<fit::UnseenBlock> unseen;
   for (std::size_t log = 0; log < after.size(); ++log) {
@@ -32,7 +32,7 @@ Surrogate judged(const std::vector<double>& after) {
 TEST(JudgeRest, WhatIsPredictedInEachLogIsAFunctionOfTheMotion) {
   const Surrogate surrogate = judged({0.02, 0.025, 0.03});
   EXPECT_TRUE(surrogate.function_of_the_motion);
-  // 1 - (mean of 4, 6.25 and 9 e-4, less 1e-4)/(1e-2 - 1e-4)
+  // The mean square of the gaps is 6.4167e-4. The noise floor has a square of 1e-4, and the gap before one of 1e-2.
   EXPECT_NEAR(surrogate.share, 1.0 - 5.4167e-4 / 99e-4, 1e-4);
   EXPECT_THAT(words::restNote(surrogate), HasSubstr("depends on the motion by a law that is not in the list"));
   EXPECT_THAT(words::restNote(surrogate), HasSubstr("predicts 95 %"));
@@ -51,7 +51,7 @@ TEST(JudgeRest, WhatIsNotPredictedIsNoFunctionOfTheMotion) {
   EXPECT_THAT(words::restNote(surrogate), HasSubstr("do not show whether the motion causes it"));
 }
 
-// A noise floor above the residual is wrong and must not make the whole residual count as predicted.
+// A noise floor above the residual must be wrong. It must not make the whole residual count as predicted.
 TEST(JudgeRest, AFloorAboveWhatIsLeftDoesNotCount) {
   const Surrogate surrogate = judged({0.0099, 0.0099, 0.0099});
   EXPECT_NEAR(surrogate.share, 1.0 - 0.0099 * 0.0099 / 0.01, 1e-6);
@@ -64,7 +64,7 @@ TEST(JudgeRest, OneLogOfThreeIsNotEnough) {
   EXPECT_GT(surrogate.chance, 0.05);
 }
 
-// A cable that catches on its guide every 3.1 mm: an unlisted function of the displacement alone.
+// Force of a cable that catches on its guide every 1 mm: an unlisted function of the displacement alone.
 double catchingCable(double /*time*/, double z, double /*rate*/) { return 150.0 * std::sin(2e3 * element::kPi * z); }
 
 double replayedGap(const io::ComponentDescription& component, const log::Log& log) {
@@ -87,7 +87,7 @@ TEST_F(UnlistedEffect, IsSeenToBeAFunctionOfTheMotion) {
   EXPECT_THAT(result()->sentence, HasSubstr("The rest depends on the motion"));
 }
 
-// On the held-out log the surrogate closes 60 % of the gap beyond the noise, the goal of surrogates.
+// On the held-out log the surrogate must close at least 60 % of the gap beyond the noise.
 TEST_F(UnlistedEffect, IsClosedByTheSurrogateOnAnUnseenLog) {
   ASSERT_TRUE(result()->surrogate);
   const log::Log unseen = runRig("unseen", 3, catchingCable);
@@ -97,7 +97,7 @@ TEST_F(UnlistedEffect, IsClosedByTheSurrogateOnAnUnseenLog) {
   EXPECT_LT(after - floor, 0.4 * (before - floor)) << before << " to " << after << ", floor " << floor;
 }
 
-// The claimed gap is accurate to 0.1 % of the force.
+// The gap that the report states is accurate to 0.1 % of the force.
 TEST_F(UnlistedEffect, ReplayOfTheSurrogateFileGivesTheClaimedGap) {
   ASSERT_TRUE(result()->surrogate);
   const ScratchFolder folder;
@@ -114,7 +114,7 @@ TEST_F(UnlistedEffect, ReplayOfTheSurrogateFileGivesTheClaimedGap) {
   EXPECT_EQ(header, "displacement_m,velocity_m_per_s,missing_force_N,surrogate_force_N,samples");
 }
 
-// The map of missing force agrees with the force of the surrogate.
+// The map of the missing force agrees with the force of the surrogate.
 TEST_F(UnlistedEffect, TheMapShowsWhatIsMissingAndThatTheSurrogateHasIt) {
   ASSERT_TRUE(result()->surrogate);
   const MissingForce& map = result()->surrogate->missing;

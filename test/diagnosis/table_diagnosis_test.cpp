@@ -13,7 +13,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// The table of friction beside a Zener solid, diagnosed once for several tests.
+// Returns the table of a Zener solid with friction, measured once for several tests.
 const fit::MeasuredTable& frictionTable() {
   static const fit::MeasuredTable table = Laboratory(1).table(with(kZener, kFriction));
   return table;
@@ -49,12 +49,12 @@ double gapOf(const io::ComponentDescription& description, const fit::MeasuredTab
   return fit::gapOfTable(table.points, settled);
 }
 
-// Gaps are computed from the settled loops of `estimate --from-table`, not from those of the diagnosis.
+// The report computes its gaps from the settled loops of `estimate --from-table`, not from loops of the search.
 TEST(TableDiagnosis, TheAugmentedComponentLeavesWhatTheReportSays) {
   const fit::MeasuredTable table = Laboratory(3).table(with(kZener, kFriction));
   const Diagnosis found = checkedTable(without(kZener), table);
   const auto reloaded = componentOf(io::toYaml({found.law.augmented}));
-  // The two use different samples of a cycle, which changes the loop area of friction by some 1e-4.
+  // Report and test sample a cycle differently, which changes the loop area of friction by some 1e-4.
   EXPECT_NEAR(gapOf(reloaded, table), found.gap_as_recorded.augmented, 1e-3);
   EXPECT_NEAR(gapOf(found.configured, table), found.gap_as_recorded.as_configured, 1e-3);
 }
@@ -103,8 +103,8 @@ TEST(TableDiagnosis, RefusesWhatItCannotUse) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("bush: shifts with temperature, but lab has no column")));
 }
 
-// The rows span six decades of reduced frequency, the model three. It lacks the temperature; the decades that it does
-// not cover leave about five times the noise, which may appear as another effect besides.
+// The rows span six decades of reduced frequency, but the model spans only three and lacks the temperature. The decades
+// without a relaxation leave a residual of five times the noise.
 TEST(TableDiagnosis, NamesTemperatureWhereOneCurveHoldsAllRows) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0.0, 3e-3);
@@ -156,8 +156,8 @@ TEST(Scatter, IsWhatTheLaboratoryStates) {
   EXPECT_EQ(table::scatterOf(Laboratory(1).table(without(kZener)).points, 0.02).level, 0.02);
 }
 
-// The interval's upper end (84 %) exceeds the truth in 84 of 100 tables, so in at least 25 of 40 (99.9 %). With 8 free
-// complex numbers it is 1.27 times the estimate; the error of the smooth surface adds to it.
+// The upper limit of a one-sided 84 % interval exceeds the truth in 84 % of tables, so in at least 25 of 40 (99.9 %).
+// With 8 free complex numbers it is 1.27 times the estimate, plus the error of the smooth surface.
 TEST(Scatter, CoversTheNoiseOfRepeatsAndOfSmoothTables) {
   const io::ComponentDescription truth = with(kZener, kFriction);
   const fit::MeasuredTable exact = Laboratory(1, 0.0).table(truth);

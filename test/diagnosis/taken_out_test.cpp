@@ -1,4 +1,4 @@
-// Parts that were removed from a log are reported with kind and size, and their squares add up.
+// The report lists what was removed from a log, with kind and size. The squares of these parts add up.
 #include "diagnosis/results/taken_out.h"
 
 #include "diagnosis/words/text.h"
@@ -11,7 +11,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// Accounts for a log of the rig whose force has an effect added, with free columns that may remove it again.
+// Accounts for a log of the rig whose force has an effect added. The fit has free columns that may remove the effect.
 class TakenOutTest : public ::testing::Test {
  protected:
   std::vector<TakenOut> accountFor(const RigEffect& effect, const std::vector<RigEffect>& free) {
@@ -58,7 +58,7 @@ class TakenOutTest : public ::testing::Test {
 
   log::Log log_;
   double spike_ = 0.0;      // [N]
-  double deviation_ = 0.0;  // of the force [N]
+  double deviation_ = 0.0;  // standard deviation of the force [N]
   double left_ = 0.0;
 };
 
@@ -112,7 +112,7 @@ TEST_F(TakenOutTest, TellsSpikes) {
               0.05 * 4000.0 / std::sqrt(5000.0) / deviation_);
 }
 
-// Values that replace unmeasured forces do not count as spikes.
+// Forces that were not measured are replaced, which must not count as spikes.
 TEST_F(TakenOutTest, LeavesOutWhatWasNotMeasured) {
   log::Log log = runRig("log", 3, nothing, 2.0);
   log.counts.assign(log.size(), 1.0);

@@ -1,4 +1,4 @@
-// The temperature in a diagnosis: a constant column, a temperature out of range, no column.
+// The temperature column in a diagnosis: constant, out of range, or missing.
 #include "diagnosis/effect.h"
 #include "diagnosis/words/sentence.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -38,7 +38,7 @@ TEST(TemperatureEffect, NeedsATemperatureThatMovesInLogsThatAllHaveOne) {
   EXPECT_EQ(termsFor(one_without), 0U);
 }
 
-// Resampling of an uneven time base includes the temperature.
+// Resampling an uneven time base resamples the temperature as well.
 TEST(TemperatureEffect, IsResampledWithTheLog) {
   log::Log log = runAt("uneven", 1, [](double time) { return 5.0 + 0.8 * time; });
   for (std::size_t i = 0; i < log.size(); i += 2) {
@@ -46,7 +46,7 @@ TEST(TemperatureEffect, IsResampledWithTheLog) {
   }
   const log::Record record = log::makeRecord(log);
   ASSERT_EQ(record.temperature.size(), record.size());
-  // The tolerance covers shifts of a millisecond on a ramp of 0.8 K/s.
+  // The tolerance covers shifts of the stamps by 1 ms on a ramp of 0.8 K/s.
   EXPECT_NEAR(record.temperature[record.size() / 2], 5.0 + 0.8 * 0.5 * record.duration(), 0.8 * 2e-3 + 0.8 * record.dt);
 }
 

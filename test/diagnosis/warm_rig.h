@@ -1,4 +1,4 @@
-// The virtual rig at other temperatures: a Zener solid whose rate and stiffness are shifted in the test itself.
+// The virtual rig at other temperatures: the test itself shifts rate and stiffness of a Zener solid.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace rubber_suspension {
 
 using TemperatureOf = std::function<double(double time)>;
 
-// Recomputes the force of runRig: relaxation by WLF (natural rubber, 20 degC), stiffness by T/T_0.
+// Computes the force of `runRig` for relaxation by WLF (natural rubber, 20 degC) and stiffness by T/T_0.
 inline log::Log runAt(const std::string& name, unsigned seed, const TemperatureOf& temperature) {
   log::Log log = runRig(name, seed, nothing, 0.0);
   const auto elements = rigComponent().allElements();

@@ -5,7 +5,7 @@
 namespace rubber_suspension {
 namespace {
 
-// A sine of 5 Hz and 2 mm.
+// Returns a sine of 5 Hz and 2 mm.
 log::Record sine() {
   log::Record record;
   record.dt = 1e-3;
@@ -16,8 +16,8 @@ log::Record sine() {
   return record;
 }
 
-// Hours of heating would reduce the stiffness to a fifth. 20 cycles reduce it by 0.16 %: a sensitivity of 1e-4 1/J
-// times work of 4 * 100 N * 2 mm per cycle.
+// Heating for hours would reduce the stiffness to a fifth. The 20 cycles of the test reduce it by 0.16 %: a sensitivity
+// of 1e-4 1/J times a work of 4 * 100 N * 2 mm per cycle.
 TEST(WholeStiffness, IsToldBeforeTheComponentHasWarmed) {
   io::ComponentDescription before("bush", {spring(1e6), friction(100.0, 1e-5)});
   io::ComponentDescription after = before;

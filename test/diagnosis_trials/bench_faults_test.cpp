@@ -1,5 +1,5 @@
-// Errors that benches add to logs, single and combined, at three sizes: none of them may be named as a gap, and effects
-// keep their names.
+// Errors that benches add to logs, single and combined, at three sizes. None of them may be named as an effect, and the
+// effects of the component are still named beside them.
 #include <iostream>
 
 #include "diagnosis/shared_runs.h"
@@ -32,14 +32,14 @@ void shift(std::vector<double>& values, double by) {
   std::transform(values.begin(), values.end(), values.begin(), [by](double value) { return value + by; });
 }
 
-// Both channels have an offset of up to 3 % of their range, new in each log.
+// Adds an offset of up to 3 % of its range to each channel, different in each log.
 void zeros(log::Log& log, double size, Generator& generator) {
   std::uniform_real_distribution<double> uniform(-0.03 * size, 0.03 * size);
   shift(log.displacement, uniform(generator) * rangeOf(log.displacement));
   shift(log.force, uniform(generator) * rangeOf(log.force));
 }
 
-// The recording starts 5 % late.
+// Removes the first 5 % of the recording.
 void runningStart(log::Log& log, double size, Generator& /*generator*/) {
   const auto cut = static_cast<std::ptrdiff_t>(0.05 * size * static_cast<double>(log.stamp.size()));
   log.stamp.erase(log.stamp.begin(), log.stamp.begin() + cut);
@@ -47,7 +47,7 @@ void runningStart(log::Log& log, double size, Generator& /*generator*/) {
   log.force.erase(log.force.begin(), log.force.begin() + cut);
 }
 
-// Three spikes of the force, as from a bad contact.
+// Adds three spikes of the force, as from a bad contact.
 void spikes(log::Log& log, double size, Generator& generator) {
   std::uniform_int_distribution<std::size_t> place(10, log.force.size() - 10);
   std::uniform_real_distribution<double> height(3.0, 10.0);
@@ -58,7 +58,7 @@ void spikes(log::Log& log, double size, Generator& generator) {
   }
 }
 
-// 1/f noise of 0.5 % of the force, as a sum of first-order processes an octave apart (van der Ziel, Physica 16, 1950).
+// Adds 1/f noise of 0.5 % of the force: first-order processes an octave apart (van der Ziel, Physica 16, 1950).
 void pink(log::Log& log, double size, Generator& generator) {
   std::normal_distribution<double> normal;
   std::vector<double> noise(log.force.size(), 0.0);
@@ -82,7 +82,7 @@ void gain(log::Log& log, double size, Generator& /*generator*/) {
   }
 }
 
-// The force is up to a quarter of a sample late or early by turns; a common delay would be an effect.
+// Shifts the force up to a quarter of a sample, late in one log and early in the next. A common delay is an effect.
 void delay(log::Log& log, double size, Generator& generator) {
   const double sign = log.name.back() % 2 == 0 ? 1.0 : -1.0;
   const double late = sign * std::uniform_real_distribution<double>(0.0, 0.25 * size)(generator);
@@ -92,7 +92,7 @@ void delay(log::Log& log, double size, Generator& generator) {
   }
 }
 
-// A value is repeated in ten samples in a row, twice per log.
+// Repeats a value in ten samples in a row, twice per log.
 void held(log::Log& log, double size, Generator& generator) {
   std::uniform_int_distribution<std::size_t> place(100, log.force.size() - 100);
   for (int run = 0; run < 2; ++run) {
@@ -110,7 +110,7 @@ struct Axis {
 
 void PrintTo(const Axis& axis, std::ostream* stream) { *stream << axis.name; }
 
-// A bush that is stiffer in tension than in compression.
+// Force of a bush that is stiffer in tension than in compression.
 double asymmetric(double /*time*/, double z, double /*rate*/) { return z > 0.0 ? 2e5 * z : 0.0; }
 
 log::Log recorded(unsigned seed, const RigEffect& effect, const Axis& axis, double size) {
@@ -145,7 +145,7 @@ TEST_P(BenchFaults, LeaveGapFreeLogsAloneAndEffectsTheirNames) {
   for (const double size : axis.faults.empty() ? std::vector<double>{1.0} : all_sizes) {
     SCOPED_TRACE(testing::Message() << "size " << size);
     const diagnosis::Diagnosis none = diagnoseBench(nothing, axis, size, 1);
-    // A gain common to all logs is equivalent to wrong values of the model.
+    // A gain that all logs share is equivalent to wrong values of the model.
     const bool scaled = std::count(axis.faults.begin(), axis.faults.end(), gain) > 0;
     EXPECT_TRUE(none.answer.verdict == diagnosis::Verdict::none ||
                 (scaled && none.answer.verdict == diagnosis::Verdict::parameter_error))

@@ -1,4 +1,4 @@
-// An effect beside a force that does not depend on the motion.
+// An effect is found beside a force that does not depend on the motion.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/element/constants.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr double kRigNoise = 10.0;  // [N]
 constexpr double kHum = 250.0;      // amplitude [N]; the force is about 1 kN
 
-// A machine next door of varying speed: within the band of the motion, with another phase in each log.
+// Another machine with varying speed shakes the rig within the band of the motion, with a new phase in each log.
 RigEffect machineNextDoor(double phase) {
   return [phase](double time, double /*displacement*/, double /*rate*/) {
     const double turns = 4.3 * time + 0.6 * std::sin(0.9 * time + phase);
@@ -25,7 +25,7 @@ TEST(BesideHum, NothingIsNamedWhereTheMotionCausesNothing) {
   }
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), logs, {});
   ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::unknown) << result.sentence;
-  // The surrogate is added to the augmented component.
+  // The surrogate contains the elements of the augmented component and one more.
   ASSERT_TRUE(result.surrogate);
   const auto below = result.law.augmented.allElements();
   const auto elements = result.surrogate->component.allElements();

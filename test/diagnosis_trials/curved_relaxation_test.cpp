@@ -1,4 +1,4 @@
-// Ramps and holds: nonlinear relaxation, and linear relaxation beside a cubic spring.
+// Ramps and holds of nonlinear relaxation, and of linear relaxation beside a cubic spring.
 #include "diagnosis/checked_diagnosis.h"
 #include "support/kit.h"
 
@@ -9,23 +9,23 @@ constexpr double kFilmReach = 2e-3;  // [m]
 constexpr double kFilmSpring = 1e6;  // [N/m]
 constexpr double kFilmNoise = 1.5;   // standard deviation, about 0.4 % of the force [N]
 
-using Slope = std::function<double(double)>;  // of displacement over reach
+using Slope = std::function<double(double)>;  // stiffness as a function of displacement divided by the reach [N/m]
 
 struct Film {
   double cubic = 0.0;  // force of the cubic spring at the reach [N]
-  Slope relaxing;      // stiffness of the branch of 4 s; that of 0.8 s is half of it [N/m]
+  Slope relaxing;      // stiffness of the branch with 4 s; the branch with 0.8 s has half of it [N/m]
 };
 
 Film linearBesideCubic() {
   return {1200.0, [](double) { return 4e5; }};
 }
 
-// This law differs in form from the candidate's element.
+// This law has another form than the candidate's element.
 Film alongCurve() {
   return {0.0, [](double x) { return 1.5e5 * (1.0 + 4.0 * x * x); }};
 }
 
-// Ramps of 2 s to each level, held for 18 s; sampled every 0.05 s, with 20 steps of the branches per sample.
+// Records ramps of 2 s to each level, each with a hold of 18 s, every 0.05 s. The branches take 20 steps per sample.
 log::Log runFilm(const Film& film, const std::string& name, unsigned seed, const std::vector<double>& levels) {
   constexpr double kStep = 0.05;
   constexpr int kRamp = 40;

@@ -1,5 +1,5 @@
-// Whole diagnoses of rigs that share no code with the candidates: the effects they name, and the share of the gap that
-// is closed.
+// Whole diagnoses of rigs that share no code with the candidates: which effects they name, and how much of the gap they
+// close.
 #include "diagnosis/shared_runs.h"
 #include "support/test.h"
 
@@ -10,7 +10,7 @@ diagnosis::Diagnosis diagnoseTwo(const RigEffect& effect) {
   return checkedDiagnosis(rigComponent(), runRigs({1, 2}, effect), runRigs({3}, effect));
 }
 
-// An effect that only the held-out log shows cannot be named, but the model is not confirmed either.
+// No effect can be named if only the held-out log shows it, but the model is not confirmed either.
 TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
   const diagnosis::Diagnosis result =
       checkedDiagnosis(rigComponent(), runRigs({1, 2}, nothing), {runRig("unseen", 3, stop)});
@@ -20,7 +20,7 @@ TEST(Diagnosis, DoubtsAModelThatUnseenLogsDoNotConfirm) {
   EXPECT_NE(result.sentence.find("unseen"), std::string::npos) << result.sentence;
 }
 
-// Diagnoses four logs and a held-out one.
+// Diagnoses four logs and a held-out log.
 diagnosis::Diagnosis diagnoseFour(const std::function<RigEffect(unsigned log)>& effect) {
   std::vector<log::Log> logs;
   for (const unsigned log : {1U, 2U, 4U, 5U}) {
@@ -29,14 +29,14 @@ diagnosis::Diagnosis diagnoseFour(const std::function<RigEffect(unsigned log)>& 
   return checkedDiagnosis(rigComponent(), logs, {runRig("unseen", 3, effect(3))});
 }
 
-// The mean of an asymmetric law is no separate offset, even if it is equal in all logs.
+// The mean force of an asymmetric law must not be named as an offset, even if all logs have the same mean.
 TEST(Diagnosis, LeavesItsMeanToAnAsymmetricLaw) {
   const auto even = [](unsigned) -> RigEffect { return [](double, double z, double) { return 6e7 * z * z; }; };
   const diagnosis::Diagnosis result = diagnoseFour(even);
   EXPECT_EQ(result.answer.effects, std::vector<std::string>{"asymmetric_stiffness"}) << result.sentence;
 }
 
-// A drift that is different in each log cannot be predicted, but each log shows it.
+// A drift that differs in each log cannot be predicted on other logs, but each log shows it.
 TEST(Diagnosis, NamesADriftThatIsNewInEachLog) {
   const auto drift = [](unsigned log) -> RigEffect {
     std::mt19937 generator(log);
@@ -61,7 +61,7 @@ TEST(Diagnosis, NamesDryFriction) {
   EXPECT_EQ(result.answer.effects.front(), "friction");
 }
 
-// Records a log of the rig behind a mount whose `deflection` [m] depends on the force [N].
+// Records a log of the rig on a mount whose `deflection` [m] is a function of the force [N].
 log::Log runOnMount(const std::string& name, unsigned seed, const std::function<double(double)>& deflection,
                     const RigEffect& effect = nothing) {
   log::Log log = runRig(name, seed, effect, 0.0);
@@ -78,7 +78,7 @@ diagnosis::Diagnosis diagnoseOnMount(const std::function<double(double)>& deflec
                           {runOnMount("unseen", 3, deflection)});
 }
 
-// A linear component on a mount is linear again, so other values of the model fit as well.
+// A linear component on a linear mount is linear, so other values of the model fit as well as the mount.
 TEST(Diagnosis, TakesAMountForItselfOrForWrongValues) {
   constexpr double kMount = 6e6;  // [N/m]
   const diagnosis::Diagnosis result = diagnoseOnMount([](double force) { return force / kMount; });
@@ -86,11 +86,11 @@ TEST(Diagnosis, TakesAMountForItselfOrForWrongValues) {
       << result.sentence;
 }
 
-// Beside stiffening in the model, a mount matters most at large forces: other values imitate a fifteenth of the
-// compliance except for 0.5 % of the force.
+// If the model stiffens, a mount matters most at large forces. Other values imitate a mount with a fifteenth of the
+// compliance, up to 0.5 % of the force.
 TEST(Diagnosis, TakesAMountBesideStiffeningForItselfOrForWrongValues) {
-  constexpr double kMount = 2e7;   // [N/m], a fifteenth of the compliance
-  constexpr double kCubic = 2e11;  // [N/m^3], 1.6 kN of 4 kN
+  constexpr double kMount = 2e7;   // stiffness [N/m], so a fifteenth of the compliance
+  constexpr double kCubic = 2e11;  // stiffness [N/m^3], which makes up 1.6 kN of 4 kN
   const auto stiffening = [](double, double z, double) { return kCubic * z * z * z; };
   const auto deflection = [](double force) { return force / kMount; };
   io::ComponentDescription component = rigComponent();
@@ -102,8 +102,8 @@ TEST(Diagnosis, TakesAMountBesideStiffeningForItselfOrForWrongValues) {
       << result.sentence;
 }
 
-// The joint is softer in tension, without the candidate's kink. Asymmetric stiffness would leave a gap of twice the
-// noise with a dynamic stiffness 20 % below the data sheet, which only a tolerance of 5 % rules out.
+// The mount is softer in tension, without the candidate's kink. Asymmetric stiffness with a dynamic stiffness 20 %
+// below the data sheet would have a gap of only twice the noise. A tolerance of 5 % rules it out.
 TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
   constexpr double kMount = 5e6;  // [N/m]
   io::ComponentDescription component = rigComponent();
@@ -115,7 +115,7 @@ TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
   EXPECT_EQ(result.answer.effects.front(), "series_compliance") << result.sentence;
   EXPECT_EQ(result.answer.effects.size(), 1U) << result.sentence;
-  // A linear mount or other values may explain the even part, but not the additional compliance in tension.
+  // A linear mount or other values may explain the mean compliance, but not the additional compliance in tension.
   double opening = 0.0;
   for (const element::ElementDescription& entry : result.law.augmented.add) {
     ASSERT_EQ(entry.type, "series_compliance");
@@ -125,20 +125,20 @@ TEST(Diagnosis, FindsAnUnevenMountThatReEstimationHides) {
       opening += 1.0 / entry.value("stiffness");
     }
   }
-  // tanh averages 0.5 to 0.8 at forces of 1 to 2 kN.
+  // At forces of 1 to 2 kN, the mean of the tanh is 0.5 to 0.8.
   EXPECT_NEAR(opening, 0.3 / kMount, 0.15 / kMount);
 }
 
 TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
   const auto withMass = [](const std::string& name, unsigned seed) {
     constexpr double kMass = 150.0;  // [kg]
-    constexpr double kStep = 0.004;  // [s], of the rig
+    constexpr double kStep = 0.004;  // time step of the rig [s]
     log::Log log = runRig(name, seed, nothing, 0.0);
     const std::vector<double> z = log.displacement;
     for (std::size_t i = 1; i + 1 < z.size(); ++i) {
       log.force[i] += kMass * (z[i - 1] - 2.0 * z[i] + z[i + 1]) / (kStep * kStep);
     }
-    addNoise(log.displacement, 3e-6, seed);  // 70 N after second differences
+    addNoise(log.displacement, 3e-6, seed);  // 70 N of inertia force
     addNoise(log.force, 20.0, seed + 10);
     return log;
   };
@@ -146,12 +146,12 @@ TEST(Diagnosis, FindsAMassThroughTheNoiseOfTheDisplacement) {
       checkedDiagnosis(rigComponent(), {withMass("one", 1), withMass("two", 2)}, {withMass("unseen", 3)});
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
   EXPECT_EQ(result.answer.effects.front(), "inertia") << result.sentence;
-  // The node cannot look ahead: without the filter of augmented.yaml, noise would cause 190 N of inertia force, more
-  // than the motion does.
+  // The node cannot look ahead. Without the filter in augmented.yaml, noise would cause an inertia force of 190 N, more
+  // than the motion causes.
   EXPECT_GT(result.gaps.closed, 0.5) << result.sentence;
 }
 
-// Flow accelerated by stress (Eyring's hyperbolic sine); friction and relaxation, even together, fit it worse.
+// The flow is accelerated by stress (Eyring's hyperbolic sine). Friction and relaxation together fit it worse.
 TEST(Diagnosis, ClosesMostOfCouplingOfRateAndAmplitudeByCouplingAlone) {
   const RigEffect flow = ofSteps([force = 0.0](double step) mutable {
     constexpr int kSubsteps = 50;
@@ -163,8 +163,8 @@ TEST(Diagnosis, ClosesMostOfCouplingOfRateAndAmplitudeByCouplingAlone) {
   });
   const diagnosis::Diagnosis result = diagnoseTwo(flow);
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
-  // The coupling is named only if no other set explains the gap, and friction with relaxation comes close here. Gaps of
-  // named effects are of the written file, others are of full laws, and only these are compared.
+  // Friction with relaxation comes close, so the coupling may not be named. Gaps of named effects are those of the
+  // written file, all others those of the full laws. So only gaps of the same kind are compared.
   const auto least = std::min_element(
       result.candidates.begin(), result.candidates.end(),
       [](const auto& x, const auto& y) { return std::tie(x.written, x.gap) < std::tie(y.written, y.gap); });

@@ -1,4 +1,4 @@
-// Hydraulic mounts whose law differs from the candidate's, and benches without fluid that may look like one.
+// Hydraulic mounts whose law differs from the candidate's law, and benches without fluid that resemble them.
 #include <deque>
 #include <iostream>
 
@@ -10,14 +10,14 @@ namespace rubber_suspension {
 namespace {
 
 constexpr double kAmplitude = 2e-3;  // largest displacement [m]
-constexpr double kStep = 0.004;      // of the logs [s]
-constexpr int kParts = 16;           // substeps, in which the displacement is linear
+constexpr double kStep = 0.004;      // time step of the logs [s]
+constexpr int kParts = 16;           // substeps per sample, with linear displacement
 
 /// A fluid column with linear and quadratic damping in a chamber that stiffens.
 struct Column {
-  double stiffness = 0.0;   ///< chamber, at small pressure [N/m]
+  double stiffness = 0.0;   ///< of the chamber, at small pressure [N/m]
   double resonance = 0.0;   ///< [rad/s]
-  double laminar = 0.0;     ///< damping ratio
+  double laminar = 0.0;     ///< damping ratio of the linear part
   double turbulent = 0.0;   ///< damping ratio of the quadratic part, at a resonance of 1 mm
   double stiffening = 0.0;  ///< stiffness added to the chamber at the largest displacement, relative
 };
@@ -54,7 +54,7 @@ RigEffect drawMount(int number) {
     column.laminar *= 0.5;
     column.turbulent = between(0.05, 0.2);
   }
-  if (kind == 1 || kind == 2) {  // by a third at the resonance, so that the chamber does not jump
+  if (kind == 1 || kind == 2) {  // stiffening by a third at the resonance, so that the chamber does not jump
     column.laminar = between(0.25, 0.4);
     column.stiffening = between(0.02, 0.06);
   }
@@ -76,14 +76,14 @@ RigEffect mass(double of) {
   };
 }
 
-RigEffect dahl(double limit) {  // exponent 1.5
+RigEffect dahl(double limit) {  // Dahl friction with exponent 1.5
   return ofSteps([limit, force = 0.0](double step) mutable {
     const double left = std::max(0.0, 1.0 - std::copysign(1.0, step) * force / limit);
     return force = std::clamp(force + 1e6 * step * std::pow(left, 1.5), -limit, limit);
   });
 }
 
-/// Relaxation from 0.05 to 50 Hz with stiffness as a power of the frequency.
+/// Returns relaxation from 0.05 to 50 Hz. Its stiffness is a power of the frequency.
 RigEffect relaxation(double stiffness) {
   return ofSteps([stiffness, forces = std::array<double, 10>{}](double step) mutable {
     double sum = 0.0;
@@ -96,7 +96,7 @@ RigEffect relaxation(double stiffness) {
   });
 }
 
-/// Viscous flow that large forces accelerate.
+/// Returns a viscous flow that large forces accelerate.
 RigEffect eyring(double stiffness) {
   return ofSteps([stiffness, x = 0.0](double step) mutable {
     x += step - kStep * 6.0 * 3e-4 * std::sinh(x / 3e-4);
@@ -104,7 +104,7 @@ RigEffect eyring(double stiffness) {
   });
 }
 
-/// The force of the rig's component, recorded late by some samples.
+/// Returns the force of the rig's component, recorded some samples late.
 RigEffect late(int samples) {
   return [=, past = std::deque<double>()](double time, double z, double /*rate*/) mutable {
     if (time == 0.0) {
@@ -117,7 +117,7 @@ RigEffect late(int samples) {
   };
 }
 
-/// Effects of the benches without fluid, in three sizes.
+/// Returns an effect of a bench without fluid, in one of three sizes.
 RigEffect without(int number) {
   const double size = std::array{0.4, 1.0, 2.0}[static_cast<std::size_t>(number / 10)];
   const std::vector<RigEffect> kinds = {
@@ -134,7 +134,7 @@ RigEffect without(int number) {
   return kinds[static_cast<std::size_t>(number % 10)];
 }
 
-/// Diagnoses only two logs of a component, which widens intervals but does not change names.
+/// Diagnoses two logs. More logs would narrow the intervals, but give the same names.
 diagnosis::Diagnosis diagnosisOf(unsigned number, const RigEffect& effect) {
   return diagnosis::diagnose(rigComponent(), runRigs({2 * number, 2 * number + 1}, effect), {});
 }
@@ -154,8 +154,8 @@ TEST(FluidInertia, IsNamedFirstWhereTheLawOfTheMountIsAnother) {
   EXPECT_GE(named, 9);
 }
 
-// An orifice with quadratic loss is one track. Its numbers are within 5 % (intervals, and the semi-implicit steps of
-// the bench), its small linear damping within a third. The sentence gives both readings that the file allows.
+// An orifice with quadratic loss is one track. Intervals and the semi-implicit steps of the bench allow errors of 5 %,
+// and of a third in the small linear damping. The sentence states both interpretations of the file.
 TEST(FluidInertia, OfQuadraticLossIsOneTrack) {
   const Column orifice{5e5, 2.0 * element::kPi * 4.0, 0.05, 0.15, 0.0};
   const double mass = orifice.stiffness / std::pow(orifice.resonance, 2);
@@ -178,7 +178,7 @@ TEST(FluidInertia, OfQuadraticLossIsOneTrack) {
   EXPECT_EQ(diagnosis::diagnose(component, logs, {}).sentence.find("fixture"), std::string::npos);
 }
 
-// One bench of each kind; one in thirty may be named by chance.
+// This draws one bench of each kind. One bench in thirty may be named by chance.
 TEST(FluidInertia, IsNamedOnHardlyABenchWithoutIt) {
   constexpr int kBenches = 10;
   int named = 0;

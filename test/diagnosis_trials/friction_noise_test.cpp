@@ -1,4 +1,4 @@
-// A drift beside Berg's friction whose initial state is unknown.
+// A drift is found beside Berg's friction with an unknown initial state.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "gap/simulate.h"
@@ -8,7 +8,7 @@
 namespace rubber_suspension {
 namespace {
 
-// The load cell drifts while friction slowly loses the memory of its initial state.
+// The force sensor drifts while friction slowly forgets its initial state.
 TEST(FrictionStarts, HideNoDrift) {
   constexpr double kRate = 12.0;  // [N/s], for 20 s; the force is about 1 kN
   const io::ComponentDescription component("bush", {spring(1e6), friction(2e3, 5e-3)});

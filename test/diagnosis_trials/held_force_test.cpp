@@ -1,4 +1,4 @@
-// A report promises the gap that `replay` of its component file has, on logs with holds and a noisy displacement.
+// On logs with holds and a noisy displacement, `replay` of the component file has the gap that the report states.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "rubber_suspension/gap/gap.h"
@@ -19,8 +19,8 @@ log::Log moved(const std::string& name, unsigned seed) {
   return withNoise(runRig(name, seed, rigFriction(), 5.0), seed);
 }
 
-// Returns a log that moves from 0 to `first` within 1 s, holds it for 8 s, moves to `second` within 1 s, and holds it
-// for 10 s (both in metres).
+// Returns a log that moves from 0 to `first` [m] within 1 s, stays for 8 s, moves to `second` [m] within 1 s, and stays
+// for 10 s.
 log::Log held(const std::string& name, unsigned seed, double first, double second) {
   const auto motion = [=](double time) {
     const double rate = time < 1.0 ? first : time > 9.0 && time < 10.0 ? second - first : 0.0;
@@ -40,7 +40,7 @@ TEST(HeldForce, IsThatOfTheFileThatIsWritten) {
                        {held("held", 4, 1.6e-3, -1e-3)});
   ASSERT_EQ(found.answer.effects, std::vector<std::string>{"friction"}) << found.sentence;
   const component::Component written = componentOf(io::toYaml({found.law.augmented})).makeComponent();
-  // The gap at the lower end of the interval of what is closed on further logs.
+  // The gap at the lower limit of the interval for the share closed on further logs.
   const double most = found.gaps.unseen.re_estimated -
                       found.gaps.closed_interval[0] * (found.gaps.unseen.re_estimated - found.gaps.unseen.noise_floor);
   for (const log::Log& fresh : {held("fresh", 5, 1.8e-3, -1.2e-3), moved("moved", 6)}) {

@@ -12,7 +12,7 @@ constexpr double kBushNoise = 3.0;     // [N]
 
 io::ComponentDescription bush() { return {"bush", {spring(4e5), friction(60.0, 1e-4)}}; }
 
-// A rise to the load in 1 s, a hold, then motion about it that grows until friction has forgotten the rise.
+// Returns a rise to the load in 1 s, a hold, and growing motion about the load until friction has forgotten the rise.
 std::vector<double> loadedMotion(double load, double frequency) {
   constexpr int kRise = 250;
   constexpr int kSamples = 5000;
@@ -28,7 +28,7 @@ std::vector<double> loadedMotion(double load, double frequency) {
   return displacement;
 }
 
-// The log begins under load, `before` samples after the machine started.
+// Records a log that begins under load, `before` samples after the motion began.
 log::Log recorded(const std::string& name, unsigned seed, const std::vector<double>& displacement, std::size_t before) {
   const component::Component component = bush().makeComponent();
   component::ComponentState state = component.makeState();
@@ -48,12 +48,12 @@ TEST(HeldUnderLoad, LacksNothing) {
       bush(), {recorded("up", 1, loadedMotion(1e-3, 1.0), kRise), recorded("down", 2, loadedMotion(-8e-4, 2.0), kRise)},
       {recorded("unseen", 3, loadedMotion(6e-4, 1.5), kRise)});
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none) << result.sentence;
-  // A model that starts from rest where the log begins is off by 60 N for 8 s, and by less afterwards.
+  // A model that starts from rest at the beginning of the log is off by 60 N for 8 s, and by less afterwards.
   EXPECT_GT(result.gap_as_recorded.as_configured, 0.1);
   EXPECT_LT(result.gaps.unseen.as_configured, 1.5 * result.gaps.unseen.noise_floor);
 }
 
-// An offset of the force [N] that wanders over the log, differently in each log.
+// Adds an offset of the force [N] that wanders over the log, differently in each log.
 log::Log drifting(log::Log log, unsigned seed) {
   constexpr std::size_t kLegs = 5;
   std::mt19937 generator(100 + seed);
@@ -68,8 +68,8 @@ log::Log drifting(log::Log log, unsigned seed) {
   return log;
 }
 
-// Friction of 60 N could be 20 % of the force, but forgets its initial state after a few cycles. On held-out blocks the
-// drift is only interpolated from both sides, so half of it remains there and may be a residual force.
+// Friction of 60 N would be 20 % of the force, but forgets its initial state after a few cycles. On held-out blocks the
+// drift is interpolated from both sides, so half of it may remain there as a residual force.
 TEST(BergsFriction, HidesNoDrift) {
   const auto run = [](const std::string& name, unsigned seed, double frequency) {
     return drifting(recorded(name, seed, loadedMotion(1e-4, frequency), 0), seed);

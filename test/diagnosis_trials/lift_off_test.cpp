@@ -1,4 +1,4 @@
-// A strap that goes slack is named, with the force that it carries; no strap is named where none goes slack.
+// A strap that goes slack is named, with its force. No strap is named on rigs without one.
 #include "diagnosis/rig.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "support/test.h"
@@ -8,15 +8,15 @@ namespace {
 
 constexpr double kNoise = 20.0;  // [N]
 
-/// Replaces the force by that of a strap (side 1) or a chevron (-1). While slack, its length follows the relaxation, in
-/// Euler steps of a hundredth of a sample.
+/// Replaces the force by the force of a strap (side 1) or of a chevron (side -1). While slack, its length follows the
+/// relaxation, in Euler steps of a hundredth of a sample.
 log::Log unglued(log::Log log, double side) {
   constexpr int kPartsOfSample = 100;
   const auto elements = rigComponent().allElements();
   const double spring = elements[0].value("stiffness");
   const double relaxing = elements[1].value("stiffness");
   const double rate = 2.0 * element::kPi * elements[1].value("break_frequency");
-  double length = std::max(0.0, side * log.displacement.front());  // of the strap under force
+  double length = std::max(0.0, side * log.displacement.front());  // length of the strap under force
   double relaxed = length;                                         // displacement of the dashpot
   for (std::size_t i = 0; i < log.size(); ++i) {
     const double from = log.displacement[i == 0 ? 0 : i - 1];
@@ -32,7 +32,7 @@ log::Log unglued(log::Log log, double side) {
   return log;
 }
 
-/// Like `unglued`, with displacement and force measured from a preloaded state.
+/// Replaces the force as `unglued` does, and measures displacement and force from a preloaded state.
 log::Log preloaded(log::Log log, double side, double preload) {
   const double zero = side * preload / rigComponent().allElements()[0].value("stiffness");
   const std::vector<double> displacement = log.displacement;
@@ -47,7 +47,7 @@ log::Log preloaded(log::Log log, double side, double preload) {
   return log;
 }
 
-/// Ramps to 2 mm of one side and back, one log for each of three rates.
+/// Records ramps to 2 mm on one side and back, one log for each of three rates.
 std::vector<log::Log> rampLogs(double side, const RigEffect& effect) {
   constexpr double kReach = 2e-3;
   std::vector<log::Log> logs;
@@ -83,7 +83,7 @@ TEST(LiftOff, BeyondAPreloadIsToldWithIt) {
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), logs, {});
   ASSERT_THAT(result.answer.effects, testing::ElementsAre("lift_off")) << result.sentence;
   ASSERT_EQ(result.law.augmented.add.size(), 1U);
-  // An offset of the displacement, which each log may have, acts similarly on a linear test piece.
+  // An offset of the displacement, which the fit allows in each log, resembles a preload on a linear test piece.
   EXPECT_NEAR(result.law.augmented.add.front().value("preload"), kPreload, 0.06 * kPreload);
   EXPECT_THAT(result.sentence, testing::HasSubstr("opens in tension beyond its preload, preload "));
   EXPECT_LT(result.gaps.unseen.augmented, 1.2 * result.gaps.unseen.noise_floor) << result.sentence;
@@ -102,14 +102,14 @@ TEST(LiftOff, OnRampsIsToldWithTheSideThatItCarries) {
   }
 }
 
-// The force on these ramps has mostly one sign.
+// On these ramps the force has mostly one sign, as under lift-off.
 TEST(LiftOff, IsNotToldOfFriction) {
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), rampLogs(1.0, rigFriction()), {});
   EXPECT_THAT(result.answer.effects, testing::Contains("friction")) << result.sentence;
   EXPECT_THAT(result.answer.effects, testing::Not(testing::Contains("lift_off"))) << result.sentence;
 }
 
-// A stop on one side makes the forces of the other side smaller, as an open contact does.
+// A stop on one side leaves smaller forces on the other side, as an open contact does.
 TEST(LiftOff, IsNotToldOfAStopOfOneSide) {
   const auto stop = [](double, double z, double) { return 3e6 * std::max(0.0, z - 5e-4); };
   const diagnosis::Diagnosis result = diagnosis::diagnose(rigComponent(), runRigs({1, 2}, stop), {});

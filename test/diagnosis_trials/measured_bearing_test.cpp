@@ -1,4 +1,4 @@
-// A measured rubber bearing that needs friction growing with displacement and softening of the first loading.
+// A measured rubber bearing whose friction grows with displacement and which softens on first loading.
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
 #include "support/kit.h"
@@ -12,7 +12,7 @@ TEST(MeasuredBearing, LacksFrictionAndSoftening) {
   if (!std::filesystem::exists(path)) {
     GTEST_SKIP() << "no measured log: " << path << " is missing";
   }
-  // A multi-Maxwell model has neither friction nor softening; its stiffnesses are read from the settled loops.
+  // A multi-Maxwell model has neither friction nor softening. Its stiffnesses are taken from the settled loops.
   const auto bearing = componentOf(
       "components: {bearing: {model: multi_maxwell, specification: {static_stiffness: 1.3e6, dynamic_stiffness: 1.5e6, "
       "nominal_frequency: 0.2, maximum_stiffness: 1.8e6, high_frequency: 2.0}}}");
@@ -21,8 +21,8 @@ TEST(MeasuredBearing, LacksFrictionAndSoftening) {
     EXPECT_EQ(std::count(result.answer.effects.begin(), result.answer.effects.end(), effect), 1)
         << effect << ": " << result.sentence;
   }
-  // The gap is that of held-out blocks. A fit without physical meaning reaches 4.9 %, friction of one limit with
-  // softening by a factor 7.9 %.
+  // This is the gap of held-out blocks. A fit without physical meaning has a gap of 4.9 %. Friction of constant maximum
+  // force, with softening by a factor, has a gap of 7.9 %.
   EXPECT_LT(result.gaps.unseen.augmented, 0.055) << result.sentence;
 }
 

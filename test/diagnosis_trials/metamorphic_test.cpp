@@ -1,5 +1,4 @@
-// The verdict and the probabilities are the same if a bench uses other units, is turned round, is faster or larger, or
-// has its logs in another order.
+// Verdict and probabilities do not change with other units, a turned, faster or larger bench, or another order of logs.
 #include "diagnosis/judge/numbers.h"
 #include "diagnosis/shared_runs.h"
 #include "rubber_suspension/diagnosis/diagnosis.h"
@@ -8,14 +7,14 @@
 namespace rubber_suspension {
 namespace {
 
-// Factors of length, force and time for other units or another machine of the same kind.
+// Factors of length, force and time to other units or to another bench of the same kind.
 struct Scale {
   double length = 1.0;
   double force = 1.0;
   double time = 1.0;
 };
 
-// The force decreases with the logarithm of time from 0.5 s on, by two elements per decade.
+// Returns a force that decreases with the logarithm of time from 0.5 s on, by two elements per decade.
 RigEffect creep() {
   return ofSteps([force = std::array<double, 5>{}](double step) mutable {
     double sum = 0.0;
@@ -61,7 +60,7 @@ diagnosis::Diagnosis diagnoseScaled(const RigEffect& effect, const Scale& scale)
                           {scaled(runRig("unseen", 3, effect), scale)});
 }
 
-/// Returns the diagnosis of the unchanged bench, which is run once.
+/// Returns the diagnosis of the unchanged bench, which is run once per test program.
 const diagnosis::Diagnosis& reference(const std::string& bench, const RigEffect& effect) {
   static std::map<std::string, diagnosis::Diagnosis> runs;
   const auto known = runs.find(bench);
@@ -119,7 +118,7 @@ TEST_P(Metamorphic, PulledTheOtherWayItIsTheSame) {
   expectTheSame(reference(GetParam().name, GetParam().effect), diagnoseScaled(GetParam().effect, {-1.0, -1.0, 1.0}));
 }
 
-// None of these effects carries memory from one log to the next.
+// None of these effects remembers an earlier log, so the order of the logs has no influence.
 TEST_P(Metamorphic, TheOrderOfLogsDoesNotMatter) {
   const std::vector<log::Log> logs = logsOf(GetParam().effect);
   const log::Log unseen = runRig("unseen", 3, GetParam().effect);
@@ -138,14 +137,14 @@ log::Log part(const log::Log& log, std::size_t begin, std::size_t end, const std
   return result;
 }
 
-// Returns whether re-estimated values leave no more beyond the noise than the judgement accepts.
+// Returns true if the residual beyond the noise that re-estimated values leave is small enough to accept the values.
 bool isHidden(const diagnosis::Gap& gap) {
   const double accepted = diagnosis::judge::fittedNumbers().accepted;
   return gap.re_estimated * gap.re_estimated < gap.noise_floor * gap.noise_floor + accepted * accepted;
 }
 
-// The second half of a log starts in motion with an unknown past, so less of it counts: the verdict is the same,
-// probabilities are not. Re-estimated values may then hide creep, which has the longest memory.
+// The second half of a log starts in motion with an unknown past, so less of it is used. The verdict is the same, but
+// probabilities differ. Re-estimated values may then hide creep, whose relaxation times are longest.
 TEST_P(Metamorphic, LogsInTwoHalvesTellTheSame) {
   std::vector<log::Log> halves;
   for (const log::Log& log : logsOf(GetParam().effect)) {

@@ -1,4 +1,4 @@
-// Logs whose force is little more than noise, as in a hold at rest, do not hide what the other logs show.
+// Logs whose force is little more than noise, as during holds, do not hide what the other logs show.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "support/test.h"
@@ -6,7 +6,7 @@
 namespace rubber_suspension {
 namespace {
 
-// Almost at rest: a force of 4 N within the noise of 20 N that all logs of the rig have.
+// Returns a log almost at rest: a force of 4 N with the noise of 20 N of all logs of the rig.
 log::Log hold(unsigned seed) {
   log::Log log = runRig("hold " + std::to_string(seed), seed, rigFriction());
   for (std::size_t i = 0; i < log.stamp.size(); ++i) {
@@ -22,7 +22,7 @@ TEST(NoisyLog, HidesNothing) {
                                        {runRig("unseen", 3, rigFriction()), hold(7)});
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::named) << result.sentence;
   EXPECT_THAT(result.answer.effects, ElementsAre("friction"));
-  // Noise of 20 N is 2 % of the force in the moving log; with equal weights of the holds the floor would be 0.7.
+  // Noise of 20 N is 2 % of the force in the moving log. If the holds had equal weights, the noise floor would be 0.7.
   EXPECT_LT(result.gaps.unseen.noise_floor, 0.1);
   const auto noisy = std::find_if(result.logs.admission.begin(), result.logs.admission.end(),
                                   [](const auto& admission) { return admission.log == "hold 5"; });

@@ -1,5 +1,5 @@
-// A wrong gain of the force channel is reported beside the equivalent wrong values, but not for unequal errors of the
-// values and not within the rig's tolerance.
+// A wrong gain of the force channel is reported beside the equivalent wrong values. It is not reported for unequal
+// errors of the values, or within the rig's tolerance.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/rig.h"
 #include "support/test.h"
@@ -20,8 +20,8 @@ diagnosis::Diagnosis diagnoseWithGain(double gain, const io::ComponentDescriptio
                           {runWithGain("unseen", 3, gain)});
 }
 
-// Only the tolerance of the data sheet distinguishes a gain from values that are all off by its factor. Both are
-// reported, in the sentence itself if the gain is far more likely. The size of the gain is correct.
+// A gain differs from values that are all off by the same factor in its tolerance only. Both are reported, and the
+// sentence itself states the gain if it is far more likely. The size of the gain is correct.
 TEST(SensorGain, IsToldBesideWrongValues) {
   for (const double gain : {0.5, -0.4, 0.06, -0.12}) {
     const diagnosis::Diagnosis result = diagnoseWithGain(gain);
@@ -37,7 +37,7 @@ TEST(SensorGain, IsToldBesideWrongValues) {
     const auto found = std::find_if(result.candidates.begin(), result.candidates.end(),
                                     [](const auto& candidate) { return candidate.effect == "sensor_gain"; });
     ASSERT_NE(found, result.candidates.end());
-    // Noise of 20 N on some 5000 samples of 1 kN; the effect of the prior on the values is smaller.
+    // The tolerance covers noise of 20 N on some 5000 samples of 1 kN. The prior of the values has less influence.
     EXPECT_NEAR(found->parameters.at("gain"), gain, 0.005);
   }
 }
@@ -53,7 +53,7 @@ TEST(SensorGain, IsNoneOfAnUnevenError) {
 TEST(SensorGain, WithinTheToleranceIsNoCause) {
   io::ComponentDescription component = rigComponent();
   component.rig = io::RigTolerances{};
-  component.rig->gain = {0.25, true};  // a standard deviation of the logarithm, which ln 1.2 is within
+  component.rig->gain = {0.25, true};  // standard deviation of the logarithm of the gain; ln 1.2 is smaller
   const diagnosis::Diagnosis result = diagnoseWithGain(0.2, component);
   EXPECT_TRUE(result.answer.effects.empty()) << result.sentence;
 }
@@ -65,7 +65,7 @@ double gainFound(const diagnosis::Diagnosis& result, const std::string& log) {
   return found == result.rig_findings.end() ? 0.0 : found->value;
 }
 
-// An amplifier whose range changed between logs is a finding of each log, not an effect.
+// If the range of an amplifier changed between logs, this is a finding about each log, not an effect.
 TEST(SensorGain, BelongsToTheLogsWhereItDiffers) {
   const diagnosis::Diagnosis result =
       checkedDiagnosis(rigComponent(), {runWithGain("one", 1, 0.1), runWithGain("two", 2, -0.05)},
@@ -87,8 +87,8 @@ TEST(SensorGain, MayStandBesideAnotherEffect) {
   EXPECT_NEAR((1.0 + gainFound(result, "one")) / (1.0 + gainFound(result, "two")), 1.15 / 0.85, 0.01);
 }
 
-// Gains of single logs can imitate an effect that depends on amplitude: here, the stiffness rises by a fifth from the
-// smallest to the largest log.
+// Gains of single logs can imitate an effect that depends on amplitude. Here the stiffness of the largest log is a
+// fifth higher than that of the smallest.
 TEST(SensorGain, IsNoneOfAnEffectThatDependsOnAmplitude) {
   const auto run = [](const std::string& name, unsigned seed, double share) {
     log::Log log = runRig(name, seed, nothing);

@@ -1,4 +1,4 @@
-// Whole diagnoses of measured tables: the effects they name, beside wrong values, and compared with those of logs.
+// Whole diagnoses of measured tables: named effects alone, with wrong values, and compared with diagnoses of logs.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/laboratory.h"
 #include "diagnosis/rig.h"
@@ -19,7 +19,7 @@ std::vector<log::Log> logsOf(const io::ComponentDescription& truth) {
   return logs;
 }
 
-// Lists the effects of all confounded sets.
+// Returns the effects of all sets of effects that the logs cannot distinguish.
 std::vector<std::string> listed(const Diagnosis& diagnosis) {
   std::vector<std::string> effects;
   for (const std::vector<std::string>& set : diagnosis.answer.confounded) {
@@ -28,7 +28,7 @@ std::vector<std::string> listed(const Diagnosis& diagnosis) {
   return effects;
 }
 
-// Returns whether wrong values are the verdict or an alternative.
+// Returns true if wrong values are the verdict or an alternative.
 bool mayBeValues(const Diagnosis& diagnosis) {
   const auto is = [](const Alternative& other) { return other.verdict == Verdict::parameter_error; };
   return diagnosis.answer.verdict == Verdict::parameter_error ||
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
                          "{type: nonlinear_maxwell, stiffness: 1.5e6, break_frequency: 3, displacement: 2.0e-4}"}),
     [](const auto& test) { return std::string(test.param.effect); });
 
-// On a linear model, wrong values can imitate a series compliance, so they are accepted as well.
+// In a linear model, other values can imitate a series compliance, so the test also accepts wrong values.
 TEST(TableDiagnosis, FindsASeriesCompliance) {
   const Diagnosis found = checkedTable(
       without(kManyMaxwell), Laboratory(1).table(with(kManyMaxwell, "{type: series_compliance, stiffness: 3.0e7}")));
@@ -88,7 +88,7 @@ TEST(TableDiagnosis, TellsWrongValuesFromEffects) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Diagnosis found = checkedTable(without(kZener), Laboratory(seed).table(without(kZenerOff)));
     EXPECT_EQ(found.answer.verdict, diagnosis::Verdict::parameter_error) << found.sentence;
-    // The tolerance is a few times the noise of the table over the root of its number of rows.
+    // The tolerance is a few times the noise of the table divided by the square root of the number of rows.
     for (const SizedValue& size : found.law.model_sizes) {
       if (size.name == "static_stiffness") {
         EXPECT_NEAR(size.value, 1.1e6, 0.02 * 1.1e6);
@@ -102,7 +102,7 @@ TEST(TableDiagnosis, FindsFrictionBesideWrongValues) {
   EXPECT_THAT(found.answer.effects, ElementsAre("friction")) << found.sentence;
 }
 
-// A factor of 1.5 on all forces is a gain, or values that are all off by that factor.
+// A factor of 1.5 on all forces is either a gain or values that are all off by that factor.
 TEST(TableDiagnosis, TellsAGainOrWrongValues) {
   fit::MeasuredTable table = Laboratory(1).table(without(kZener));
   for (fit::TablePoint& point : table.points) {
@@ -124,7 +124,7 @@ fit::MeasuredTable multiplied(const std::function<std::complex<double>(double fr
   return table;
 }
 
-// The mount resonates at 6 Hz with another law than the candidate's column.
+// The mount resonates at 6 Hz, but its law differs from the fluid column of the candidate.
 TEST(TableDiagnosis, NamesTheFluidOfAMount) {
   const Diagnosis found = checkedTable(without(kZener), multiplied([](double frequency) {
                                          const std::complex<double> x(0.0, frequency / 6.0);
@@ -133,7 +133,7 @@ TEST(TableDiagnosis, NamesTheFluidOfAMount) {
   EXPECT_THAT(listed(found), Contains("fluid_inertia")) << found.sentence;
 }
 
-// No effect raises the stiffness about 6 Hz without any loss.
+// No listed effect raises the stiffness about 6 Hz without a loss.
 TEST(TableDiagnosis, RefusesWhatIsNotInTheList) {
   const Diagnosis found =
       checkedTable(without(kZener), multiplied([](double frequency) {
@@ -143,7 +143,7 @@ TEST(TableDiagnosis, RefusesWhatIsNotInTheList) {
       << found.sentence;
 }
 
-// About a preload the even part of a spring shows as well.
+// About a preload, an uneven spring also has an even part.
 TEST(TableDiagnosis, TakesRowsAboutMeanDisplacements) {
   const component::Component truth = with(kZener, "{type: progressive_stiffness, cubic: 3.0e10}").makeComponent();
   Laboratory laboratory(1);
@@ -168,7 +168,7 @@ TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
   Laboratory laboratory(1);
   fit::MeasuredTable table{"lab", {}, {}};
   for (const double temperature : {0.0, 20.0, 40.0}) {
-    // An activation energy of 40 kJ/mol about 20 degC shifts the break frequency of the component.
+    // An activation energy of 40 kJ/mol shifts the break frequency of the component relative to 20 degC.
     constexpr double kGas = 8.314462618;
     const double shift = std::exp(4e4 / kGas * (1.0 / 293.15 - 1.0 / (273.15 + temperature)));
     const component::Component component({spring(1e6), maxwell(6e5, 3.0 * shift)});
@@ -183,7 +183,7 @@ TEST(TableDiagnosis, FollowsTheTemperatureOfRows) {
   EXPECT_LT(found.gaps.unseen.augmented, 0.02);
 }
 
-// The diagnosis has no built-in scale of time or force.
+// The diagnosis must not depend on the scale of time or force.
 TEST(TableDiagnosis, OfASlowerAndSofterComponentIsTheSame) {
   constexpr double kSofter = 1e-3;
   const char* const slow =
@@ -195,7 +195,7 @@ TEST(TableDiagnosis, OfASlowerAndSofterComponentIsTheSame) {
                                          {0.005, 0.01, 0.02, 0.04, 0.08, 0.16}));
   EXPECT_EQ(one.answer.effects, other.answer.effects);
   EXPECT_EQ(one.answer.verdict, other.answer.verdict);
-  EXPECT_NEAR(one.gaps.unseen.augmented, other.gaps.unseen.augmented, 1e-4);  // limited by the end of an iteration
+  EXPECT_NEAR(one.gaps.unseen.augmented, other.gaps.unseen.augmented, 1e-4);  // limited by the iteration
   EXPECT_NEAR(one.law.model_sizes.back().value * kSofter, other.law.model_sizes.back().value,
               1e-3 * other.law.model_sizes.back().value);
 }

@@ -1,4 +1,4 @@
-// The temperature in whole diagnoses: a column that explains the gap, no column, a component that already follows it.
+// Whole diagnoses with a temperature that explains the gap, without one, and of a component that already follows it.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/warm_rig.h"
 #include "rubber_suspension/gap/gap.h"
@@ -19,8 +19,8 @@ TEST(TemperatureEffect, IsNamedWhereTheColumnExplainsTheGap) {
   EXPECT_EQ(result.answer.effects.front(), "temperature") << result.sentence;
   EXPECT_GT(result.gaps.closed, 0.9);
   EXPECT_TRUE(temperatureOf(result).testable);
-  // WLF's slope at 20 degC is ln(10) C_1/C_2 = 0.096/K, an activation energy of 69 kJ/mol. From 5 to 45 degC this falls
-  // from 79 to 58 kJ/mol, so a fit of 50 to 90 is accepted.
+  // At 20 degC, the slope of WLF is ln(10) C_1/C_2 = 0.096/K, an activation energy of 69 kJ/mol. The energy falls from
+  // 79 to 58 kJ/mol between 5 and 45 degC, so the test accepts a fit of 50 to 90.
   const auto slope = temperatureOf(result).parameters.lower_bound("change_of_rates");
   ASSERT_NE(slope, temperatureOf(result).parameters.end());
   constexpr double kGas = 8.314462618;  // [J/(mol K)]
@@ -28,7 +28,7 @@ TEST(TemperatureEffect, IsNamedWhereTheColumnExplainsTheGap) {
   EXPECT_THAT(slope->first, HasSubstr("change_of_rates_at_"));
   EXPECT_GT(energy, 50e3);
   EXPECT_LT(energy, 90e3);
-  // The written component reproduces the gap of the report.
+  // Replaying the written component reproduces the gap in the report.
   const log::Log unseen = unseenLog();
   const double replayed =
       gap::relativeGap(unseen.force, gap::replay(result.law.augmented.makeComponent(), unseen).force);

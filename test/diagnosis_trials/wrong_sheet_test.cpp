@@ -1,4 +1,4 @@
-// Benches without a missing effect: the model is exact, and only its data sheet is wrong.
+// Benches whose model has the right form, but values from a wrong data sheet.
 #include "diagnosis/checked_diagnosis.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/gap.h"
@@ -11,7 +11,7 @@ namespace {
 constexpr int kSamples = 10000;
 constexpr double kStep = 0.002;  // [s]
 
-// Returns the model with stiffnesses as factors of the true ones.
+// Returns the model with static and dynamic stiffness given as factors of the true ones.
 io::ComponentDescription sheet(double k_st, double k_n, const std::string& tolerance = "10 %") {
   const std::string text = fmt::format(
       "components:\n  bush:\n    model: multi_maxwell\n    specification:\n      tolerance: {}\n"
@@ -47,7 +47,7 @@ diagnosis::Diagnosis diagnoseSheet(const io::ComponentDescription& component) {
   return checkedDiagnosis(component, {record("sines", sines, 1), record("sweep", sweep, 2)}, {record("hold", hold, 3)});
 }
 
-// A fit bound to this data sheet would lack relaxation.
+// If the fit were bound to this data sheet, relaxation would seem to be missing.
 TEST(WrongSheet, IsNoMissingEffect) {
   const double true_sheet = diagnoseSheet(sheet(1.0, 1.0)).gaps.unseen.as_configured;
   for (const auto& [k_st, k_n] : {std::pair(1.12, 0.90), std::pair(0.93, 1.06)}) {
@@ -66,12 +66,12 @@ TEST(WrongSheet, IsNoMissingEffect) {
   }
 }
 
-// At the resonance of a mass on a spring, the best spring alone is a small part of the true stiffness.
+// Near the resonance of a mass on a spring, a spring fitted alone has a small part of the true stiffness.
 TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
-  constexpr double kStiffness = 1e6;  // [N/m]; the guess is a thirtieth
-  constexpr double kMass = 5.3;       // [kg], a resonance at 69 Hz
+  constexpr double kStiffness = 1e6;  // [N/m]; the guess has a thirtieth of it
+  constexpr double kMass = 5.3;       // [kg]; the resonance is at 69 Hz
   constexpr double kDamping = 200.0;  // [N s/m]
-  constexpr double kRate = 8000.0;    // [Hz], fast enough to compute the acceleration by second differences
+  constexpr double kRate = 8000.0;    // [Hz], high enough to compute the acceleration by second differences
   const auto guess = componentOf(
       "components:\n  b:\n    model: kelvin_voigt\n    specification: {tolerance: guess, dynamic_stiffness: 33000, "
       "nominal_frequency: 0.05, relative_damping: 0.001}\n");
@@ -101,7 +101,7 @@ TEST(WrongSheet, OfAGuessIsFollowedAsFarAsAGuessMayBeOff) {
   EXPECT_NEAR(result.law.effect_sizes.front().value, kMass, 0.02 * kMass);
 }
 
-// With the same sheet as a guess, values are identified, whether right or wrong.
+// The same data sheet as a guess: its values are identified, right or wrong.
 TEST(WrongSheet, OfAGuessIsIdentified) {
   for (const auto& [k_st, k_n] : {std::pair(1.0, 1.0), std::pair(1.12, 0.90)}) {
     const diagnosis::Diagnosis result = diagnoseSheet(sheet(k_st, k_n, "guess"));
