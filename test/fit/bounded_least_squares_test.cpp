@@ -1,4 +1,4 @@
-// Bounded least squares: conditions of optimality for random problems, bounds, collinear columns.
+// Bounded least squares: optimality conditions of random problems, bounds, collinear columns.
 #include "numerics/bounded_least_squares.h"
 
 #include "support/test.h"
@@ -23,7 +23,7 @@ TEST(BoundedLeastSquares, MeetsTheConditionsOfOptimality) {
     const Eigen::VectorXd upper = Eigen::VectorXd::Constant(unknowns, 0.15);
     const Eigen::VectorXd x = numerics::boundedLeastSquares(gram, moment, lower, upper);
     const Eigen::VectorXd descent = moment - gram * x;
-    // The ridge of 1e-9 of the diagonal shifts the gradient by at most 1e-9 of it times the bound.
+    // The ridge is 1e-9 of the diagonal, so it shifts the gradient by at most 1e-9 of the diagonal times the bound.
     const double tolerance = 1e-8 * gram.diagonal().maxCoeff();
     for (Eigen::Index i = 0; i < unknowns; ++i) {
       ASSERT_GE(x[i], lower[i]);
@@ -67,15 +67,15 @@ TEST(NonNegativeLeastSquares, BoundsOnlyWhatHasNoSign) {
   EXPECT_DOUBLE_EQ(x[2], 3.0);
 }
 
-// Equal columns that are free from the start share the value by least norm; one that enters later would get none.
+// Equal columns that are both free from the start share the value by least norm. A column freed later would get zero.
 TEST(NonNegativeLeastSquares, LetsEqualColumnsOfAnySignShareAlike) {
   const Eigen::MatrixXd gram = Eigen::MatrixXd::Constant(2, 2, 4.0);
   const Eigen::VectorXd x = numerics::nonNegativeLeastSquares(gram, Eigen::Vector2d(4.0, 4.0), {true, true});
-  EXPECT_NEAR(x[0], 0.5, 1e-12);  // rounding
+  EXPECT_NEAR(x[0], 0.5, 1e-12);  // tolerance for rounding
   EXPECT_NEAR(x[1], 0.5, 1e-12);
 }
 
-// Random problems meet their conditions of optimality up to rounding, because there is no ridge.
+// Without a ridge, random problems meet their optimality conditions up to rounding.
 TEST(NonNegativeLeastSquares, IsExact) {
   std::mt19937 generator(11);
   for (int problem = 0; problem < 200; ++problem) {
@@ -86,7 +86,7 @@ TEST(NonNegativeLeastSquares, IsExact) {
     signed_unknown.back() = true;
     const Eigen::VectorXd x = numerics::nonNegativeLeastSquares(a.transpose() * a, a.transpose() * y, signed_unknown);
     const Eigen::VectorXd descent = a.transpose() * (y - a * x);
-    // The tolerance of the active set is 1e-11 of the largest moment, with columns of length 1.
+    // The active-set method has a tolerance of 1e-11 of the largest moment, for columns of length 1.
     const double tolerance = 1e-10 * (a.transpose() * y).cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < unknowns; ++i) {
       const bool free = signed_unknown[static_cast<std::size_t>(i)] || x[i] > 0.0;

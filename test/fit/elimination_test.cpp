@@ -1,5 +1,5 @@
-// Elimination of per-log unknowns from normal equations: the solution equals that with all unknowns in one matrix, and
-// a held-out block has no influence on the nuisances that are removed from its own error.
+// Eliminating the nuisance parameters of each log gives the same solution as one matrix with all parameters of the fit.
+// A held-out block has no influence on the nuisance parameters that are removed from its own error.
 #include "numerics/elimination.h"
 
 #include "fit/normal_equations.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Eigen::Index kSamplesOfLog = 2400;
 
-// Twelve triangles of 5 s on a spring, with noise and a rig that adds an offset, a slow wave and a transient.
+// Records twelve triangles of 5 s on a spring, with noise. The rig adds an offset, a slow wave and a transient.
 gap::PreparedRecord triangles(unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
@@ -69,7 +69,7 @@ Eigen::VectorXd solutionOf(const BlockGrams& blocks) {
   return solve(blocks.sum, {-bound, bound});
 }
 
-// The matrix has columns, residual and nuisances of all logs, and rows for the penalties, whitened by the rig.
+// The columns are all parameters and nuisance parameters of the logs; the rows are samples and penalties.
 TEST(Elimination, IsTheSolutionWithAllUnknownsInOneMatrix) {
   const std::vector<gap::PreparedRecord> records = someTriangles(3);
   const PerLogNuisances free{true, true, true};
@@ -93,7 +93,7 @@ TEST(Elimination, IsTheSolutionWithAllUnknownsInOneMatrix) {
   }
   const BlockGrams blocks = equationsOf(records, free);
   EXPECT_NEAR(solutionOf(blocks)[0], numerics::solveLeastNorm(all, right)[0], 1e-6);
-  EXPECT_EQ(blocks.sum.rows(), 3);  // as for one log
+  EXPECT_EQ(blocks.sum.rows(), 3);  // the size for one log
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(3, 3);
   for (const Eigen::MatrixXd& gram : blocks.gram) {
     sum += gram;
@@ -101,7 +101,7 @@ TEST(Elimination, IsTheSolutionWithAllUnknownsInOneMatrix) {
   EXPECT_LT((sum - blocks.sum).cwiseAbs().maxCoeff(), 1e-9 * blocks.sum.cwiseAbs().maxCoeff());
 }
 
-// The expected square of a held-out block is computed from the covariance of the rig.
+// The expected error of a held-out block is computed from the covariance of the errors of the rig.
 TEST(Elimination, HoldsBlocksOut) {
   const gap::PreparedRecord record = triangles(5);
   const Eigen::MatrixXd c = numerics::columnsOfWhitening(record.rig.columns);
@@ -128,7 +128,7 @@ TEST(Elimination, HoldsBlocksOut) {
   }
 }
 
-// With any nuisances, a fit has no smaller error on held-out blocks than in sample.
+// For any nuisance parameters, a fit has at least as large an error on held-out blocks as on fitted ones.
 TEST(Elimination, LeavesNoLessOfBlocksHeldOutThanInSample) {
   for (const PerLogNuisances& free :
        {PerLogNuisances{}, PerLogNuisances{true}, PerLogNuisances{false, true}, PerLogNuisances{true, true, true}}) {

@@ -1,4 +1,4 @@
-// `estimate --from-log` and `diagnose` free the same parameters of every law.
+// `estimate --from-log` and `diagnose` vary the same parameters of every law.
 #include "element/typical_elements.h"
 #include "fit/force_model.h"
 #include "fit/model_parameters.h"
@@ -49,7 +49,7 @@ TEST_P(FreeParameters, AreTheSameInEstimateAndDiagnosis) {
   EXPECT_THAT(names, IsSupersetOf({"spring[0].stiffness"}));
 }
 
-// The order and the stiffness are free, the ends of the frequency range are not.
+// Order and stiffness are varied. The limits of the frequency range are not.
 TEST(FreeParameters, OfASpringpotAreStiffnessAndOrder) {
   const std::vector<element::ElementDescription> elements = {
       entry("springpot stiffness=1e6 order=0.3 low_frequency=0.1 high_frequency=50")};
@@ -62,7 +62,7 @@ TEST(FreeParameters, OfCreepIsTheFallPerDecade) {
   EXPECT_THAT(freeInDiagnosis(elements), ElementsAre("creep[0].stiffness_per_decade"));
 }
 
-// A default counts as a given value; the file contains it once it is changed.
+// A parameter with its default value is varied as well. The file states the parameter once its value has changed.
 TEST(FreeParameters, IncludeDefaults) {
   const fit::ModelParameters model(io::ComponentDescription("component", {entry("stress_softening reduction=0.3")}),
                                    fit::Level::elements);

@@ -1,5 +1,5 @@
-// Identification on synthetic logs: true values are recovered, intervals have their stated coverage, and parameters
-// that the logs do not show are reported.
+// Identification from synthetic logs: true values are found, intervals have their stated coverage, and parameters that
+// the logs do not show are reported.
 #include "rubber_suspension/fit/identification.h"
 
 #include "rubber_suspension/gap/replay.h"
@@ -10,10 +10,10 @@ namespace {
 
 const Entries kTruth = {spring(3e6), friction(4900.0, 2.2e-3), maxwell(0.5e6, 1.45)};
 
-// A typical start with all values off.
+// A typical start of the fit, with all values off.
 const Entries kGuess = {spring(2e6), friction(9000.0, 1e-3), maxwell(1e6, 4.0)};
 
-// Simulates elements under a sum of sines of several frequencies and amplitudes at a constant rate.
+// Simulates elements under a sum of sines with several frequencies and amplitudes, sampled at a constant rate [Hz].
 log::Log measured(const Entries& elements, double duration, double rate) {
   log::Log log = recorded(rate, duration, [](double t) {
     const double swell = 1.0 + 0.8 * std::sin(2.0 * element::kPi * 0.11 * t);
@@ -30,7 +30,7 @@ fit::IdentificationOptions starts(int number) {
   return options;
 }
 
-// Adds noise with a correlation of 0.9 between neighbours.
+// Adds noise with a correlation of 0.9 between neighbouring samples.
 void addCorrelatedNoise(log::Log& measurement, double deviation, std::mt19937& generator) {
   std::normal_distribution<double> normal;
   const double correlation = 0.9;
@@ -60,7 +60,7 @@ double truth(const fit::IdentifiedParameter& parameter) {
   throw std::out_of_range(parameter.element);
 }
 
-// An unconstrained search would lead to gamma > beta, which the law refuses.
+// An unconstrained search would lead to gamma > beta, which the Bouc-Wen law refuses.
 TEST(Identification, StaysWithinWhatALawAcceptsTogether) {
   const log::Log log = measured({spring(3e6), entry("bouc_wen stiffness=1e6 beta=900 gamma=890")}, 10.0, 200.0);
   const fit::Identification result =
@@ -73,7 +73,7 @@ TEST(Identification, StaysWithinWhatALawAcceptsTogether) {
 TEST(Identification, FindsTheTruthInAnExactLog) {
   log::Log measurement = measured(kTruth, 10.0, 200.0);
   for (double& force : measurement.force) {
-    force += 123.0;  // offset of the load cell
+    force += 123.0;  // offset of the force sensor
   }
   const fit::Identification result = fit::identify(kGuess, {measurement});
   ASSERT_EQ(result.parameters.size(), 5u);
@@ -102,21 +102,21 @@ INSTANTIATE_TEST_SUITE_P(
                     entry("stress_softening reduction=0.3 width=0.4 path=0.01 reach_exponent=1 full_reach=5e-3")),
     [](const auto& test) { return test.param.type; });
 
-// A law beside a spring is fitted from values 20 % off. Only forces are compared, because parameters of a law may
-// compensate each other, such as the reduction and the reach of softening.
+// Fits a law and a spring, starting from values of the law 20 % off. Only forces are compared, because parameters of a
+// law may compensate each other, such as the reduction and the reach of softening.
 TEST_P(IdentificationOf, FindsTheForceAgain) {
   element::ElementDescription guess = GetParam();
   for (auto& [name, values] : guess.values) {
     values[0] *= 1.2;
   }
   const log::Log log = measured({spring(3e6), GetParam()}, 10.0, 200.0);
-  // The force of the law is some per cent of the total; a search that ends at another optimum has 1e-3 or more.
+  // The force of the law is some per cent of the total force. At a wrong optimum the residual is 1e-3 or more.
   EXPECT_LT(fit::identify({spring(3e6), guess}, {log}, starts(2)).relative_residual, 2e-4);
 }
 
 TEST(Identification, IntervalsHoldTheTruth95TimesIn100) {
-  // Of 100 independent logs the number of intervals that contain the truth is binomial with p = 0.95. It is outside
-  // [88, 99] with a probability below 1 % for each of the five parameters.
+  // The number of intervals out of 100 that contain the truth is binomial with p = 0.95. For each of the five
+  // parameters, the number is outside [88, 99] with a probability below 1 %.
   const int logs = 100;
   std::mt19937 generator(42);
   std::map<std::string, int> held;
@@ -142,7 +142,7 @@ TEST(Identification, IgnoringTheCorrelationWouldBeWrong) {
   std::mt19937 generator(7);
   addCorrelatedNoise(measurement, 100.0, generator);
   const fit::Identification result = fit::identify(kTruth, {measurement});
-  // With a correlation of 0.9 between neighbours, (1 + 0.9)/(1 - 0.9) = 19 samples count as one.
+  // With a correlation of 0.9 between neighbours, (1 + 0.9)/(1 - 0.9) = 19 samples count as one independent sample.
   EXPECT_NEAR(static_cast<double>(measurement.force.size()) / result.independent_samples, 19.0, 8.0);
   EXPECT_NEAR(result.residual, 100.0, 15.0);
 }
@@ -163,8 +163,8 @@ TEST(Identification, SeveralLogsAreTakenTogether) {
 }
 
 TEST(Identification, SaysWhatALogDoesNotShow) {
-  // A single sine gives two numbers for three parameters: spring, Maxwell stiffness and break frequency. The start from
-  // rest would show the third, but is lost in the noise.
+  // A single sine determines two numbers, but there are three parameters: spring, Maxwell stiffness and break
+  // frequency. The transient at the start would determine the third, but is lost in the noise.
   const Entries maxwell = {kTruth[0], kTruth[2]};
   log::Log measurement = recorded(200.0, 4.0, [](double t) { return 1e-3 * std::sin(2.0 * element::kPi * 4.0 * t); });
   measurement.force = gap::simulateLog(component::Component(maxwell), measurement);
@@ -187,7 +187,7 @@ TEST(Identification, TwoEqualElementsShareOneStiffness) {
   ASSERT_EQ(result.undetermined.size(), 1u);
   EXPECT_TRUE(std::isinf(result.undetermined[0].standard_deviation));
   ASSERT_EQ(result.undetermined[0].weights.size(), 2u);
-  // More of one stiffness is compensated by less of the other.
+  // A larger value of one stiffness is compensated by a smaller value of the other.
   EXPECT_LT(result.undetermined[0].weights[0].second * result.undetermined[0].weights[1].second, 0.0);
 }
 
@@ -197,7 +197,7 @@ TEST(Identification, AnElementThatIsNotThereIsLeftOut) {
     measurement.force[i] -=
         100.0 * (i > 0 ? (measurement.displacement[i] - measurement.displacement[i - 1]) * 200.0 : 0.0);
   }
-  // The log adds energy, which no dashpot can, so the damping ends at zero.
+  // The log adds energy, which a dashpot cannot do, so the fitted damping is zero.
   const fit::Identification result = fit::identify({kTruth[0], dashpot(1000.0)}, {measurement});
   ASSERT_EQ(result.elements.size(), 1u);
   EXPECT_EQ(find(result, "dashpot", "damping").value, 0.0);
@@ -225,7 +225,7 @@ TEST(Identification, EffectsInSeriesAreSearchedAsAWhole) {
   guess[1].values["break_frequency"] = {2.0};
   const log::Log measurement = measured(mounted, 6.0, 100.0);
   fit::IdentificationOptions options = starts(2);
-  // Spring, Maxwell element and mount have one parameter more than K* shows, so that of the mount is held.
+  // Spring, Maxwell element and mount have one parameter more than K* determines, so the mount's stiffness is fixed.
   options.held = {"series_compliance.stiffness"};
   const fit::Identification result = fit::identify(guess, {measurement}, options);
   EXPECT_NEAR(find(result, "spring", "stiffness").value / 3e6, 1.0, 1e-4);
@@ -243,7 +243,7 @@ TEST(Identification, NoiseOfTheDisplacementSetsTheDeadBand) {
   const fit::Identification result = fit::identify(kTruth, {measurement});
   EXPECT_NEAR(result.elements[1].value("dead_band"), 12e-6, 1.2e-6);
   for (const fit::IdentifiedParameter& parameter : result.parameters) {
-    // The dead band suppresses reversals below 12 um, which shifts friction by some per cent.
+    // The dead band suppresses reversals smaller than 12 um, which changes the friction by some per cent.
     EXPECT_NEAR(parameter.value / truth(parameter), 1.0, 0.12) << parameter.name;
   }
 }

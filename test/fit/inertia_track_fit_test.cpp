@@ -1,4 +1,4 @@
-// The fluid of a hydraulic mount is identified from logs and from tables.
+// The fluid of a hydraulic mount is identified from a log and from a table.
 #include "fit/table_fit.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/fit/identification.h"
@@ -12,7 +12,7 @@ namespace {
 const Entries kTruth = {spring(2e5), entry("inertia_track mass=60 damping=1500 stiffness=2.5e5")};
 const Entries kGiven = {spring(3e5), entry("inertia_track mass=40 damping=2200 stiffness=1.8e5")};
 
-/// Records a sweep of 1 mm from 1 to 30 Hz at 500 Hz, with 1 % of noise on the force.
+/// Records 20 s of a sweep of 1 mm from 1 to 30 Hz, sampled at 500 Hz, with noise of 1 % of the force.
 log::Log sweep() {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0.0, 3.0);
@@ -35,7 +35,7 @@ void expectTruth(const Entries& found, double accuracy) {
   }
 }
 
-// Noise of 1 % over 10,000 samples is 1e-4 of the force; correlated parameters have errors of some times that.
+// Noise of 1 % averages to 1e-4 of the force over 10,000 samples. Correlated parameters have somewhat larger errors.
 TEST(InertiaTrackFit, IsFoundInALog) {
   fit::IdentificationOptions options;
   options.starts = 4;

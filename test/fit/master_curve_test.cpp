@@ -1,4 +1,4 @@
-// Master curves from rows at several temperatures.
+// Master curves from rows of a table at several temperatures.
 #include "fit/master_curve.h"
 
 #include "fit/table_fit.h"
@@ -12,13 +12,13 @@ using element::ElementDescription;
 
 constexpr double kReference = 20.0;  // [degC]
 
-// K* of a spring of 1 MN/m with a springpot of 1 MN/m at 1 Hz, computed directly.
+// Returns K* of a spring of 1 MN/m and a springpot with 1 MN/m at 1 Hz, computed directly.
 std::complex<double> stiffnessAt(double frequency) {
   const double order = 0.2;
   return 1e6 + 1e6 * std::polar(std::pow(frequency, order), 0.5 * element::kPi * order);
 }
 
-// A table of ten frequencies over three decades per temperature, shifted by `decades`, with noise on both parts of K*.
+// Returns a table with ten frequencies over three decades at each temperature, shifted by `decades`, with noise of K*.
 std::vector<TablePoint> tableOf(const std::vector<double>& temperatures, double (*decades)(double), double noise = 0.0,
                                 unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -39,7 +39,7 @@ std::vector<TablePoint> tableOf(const std::vector<double>& temperatures, double 
 
 double byWlf(double temperature) { return -8.0 * (temperature - kReference) / (100.0 + temperature - kReference); }
 
-double byArrhenius(double temperature) {  // 150 kJ/mol
+double byArrhenius(double temperature) {  // activation energy of 150 kJ/mol
   return 150e3 / (8.314462618 * std::log(10.0)) * (1.0 / (temperature + 273.15) - 1.0 / (kReference + 273.15));
 }
 
@@ -48,7 +48,7 @@ TEST(MasterCurve, FindsTheShiftsThatMadeTheTable) {
   EXPECT_EQ(curve.law.type, "wlf_shift");
   ASSERT_EQ(curve.shifts.size(), 6U);
   for (const FoundShift& shift : curve.shifts) {
-    // Two elements per decade have an error of some 2e-4 of K*, which changes by 2 % per decade.
+    // Two elements per decade have an error of some 2e-4 of K*. K* changes by 2 % per decade.
     EXPECT_NEAR(shift.decades, byWlf(shift.temperature), 0.02) << shift.temperature;
     EXPECT_NEAR(curve.decadesAt(shift.temperature), byWlf(shift.temperature), 0.02) << shift.temperature;
   }
@@ -64,8 +64,8 @@ TEST(MasterCurve, TakesArrheniusWhereThatMadeTheTable) {
   EXPECT_LT(curve.constants.front().deviation, 0.03);
 }
 
-// Of 100 intervals of 95 % in 20 tables, 89 or more contain the truth with a probability of 99 %. The shifts of one
-// table are correlated, so the test accepts a few less.
+// Of 100 intervals of 95 % from 20 tables, at least 89 contain the truth with a probability of 99 %. The shifts of a
+// table are correlated, so the test accepts slightly fewer.
 TEST(MasterCurve, IntervalsHoldTheTruth) {
   int held = 0;
   int all = 0;
@@ -73,7 +73,7 @@ TEST(MasterCurve, IntervalsHoldTheTruth) {
     const auto points = tableOf({-10.0, 0.0, 10.0, 20.0, 30.0, 40.0}, byArrhenius, 3e-3, seed);
     for (const FoundShift& shift : masterCurve(points, kReference).shifts) {
       if (shift.deviation > 0.0) {
-        // The shift is relative to the middle temperature, which is the reference here.
+        // The shift is relative to the middle temperature, which is the reference temperature here.
         held += std::abs(shift.decades - byArrhenius(shift.temperature)) <= 1.96 * shift.deviation ? 1 : 0;
         ++all;
       }
@@ -96,7 +96,7 @@ TEST(MasterCurve, RefusesTemperaturesThatDoNotMeet) {
   EXPECT_FALSE(leftBySuperposition(points).has_value());
 }
 
-// The shifts follow no Arrhenius law and the stiffness falls with temperature, but one curve fits all rows.
+// The shifts follow no Arrhenius law, and the stiffness falls with temperature. Still one curve fits all rows.
 TEST(MasterCurve, LeavesTheNoiseOfAnyThermorheologicallySimpleTable) {
   constexpr double kNoise = 5e-3;
   std::vector<TablePoint> points = tableOf({-10.0, 5.0, 20.0, 35.0, 50.0}, byWlf, kNoise);
@@ -105,7 +105,7 @@ TEST(MasterCurve, LeavesTheNoiseOfAnyThermorheologicallySimpleTable) {
   }
   const auto left = leftBySuperposition(points);
   ASSERT_TRUE(left.has_value());
-  // Both parts of K* have the noise; 50 complex numbers determine its level within 30 %.
+  // Both the real and the imaginary part have noise. The 50 complex numbers determine its level within 30 %.
   EXPECT_NEAR(std::sqrt(left->squares / left->free), std::sqrt(2.0) * kNoise, 0.3 * std::sqrt(2.0) * kNoise);
 }
 
@@ -118,10 +118,10 @@ TEST(MasterCurve, BecomesAPronySeriesOrASpringpot) {
   EXPECT_NEAR(pot.component.elements()[1].value("order"), 0.2, 2e-3);
   EXPECT_NEAR(pot.component.elements()[0].value("stiffness"), 1e6, 2e4);
   const TableFit prony = fitToTable(given, points, Series::prony);
-  EXPECT_LT(prony.misfit, 1e-2);  // with one element per decade, a springpot is approximated within 1 %
+  EXPECT_LT(prony.misfit, 1e-2);  // one element per decade approximates a springpot within 1 %
   for (const TableFit& fit : {pot, prony}) {
     ASSERT_TRUE(fit.component.temperature.has_value());
-    // The found component is evaluated at a temperature of the table, using its own shift.
+    // The fitted component is evaluated at a temperature of the table with the shift that was fitted.
     const auto shifted = reducedBy(*fit.component.temperature, {points.front()});
     const auto k = fit.component.makeComponent().complexStiffness(shifted.front().frequency);
     ASSERT_TRUE(k.has_value());
@@ -129,7 +129,7 @@ TEST(MasterCurve, BecomesAPronySeriesOrASpringpot) {
   }
 }
 
-// Rows of another amplitude form their own curve, lowered by friction, with the same shifts.
+// Friction lowers rows with a larger amplitude. They form a curve of their own with the same shifts.
 TEST(MasterCurve, KeepsAmplitudesApart) {
   std::vector<TablePoint> points = tableOf({0.0, 10.0, 20.0, 30.0}, byArrhenius);
   std::vector<TablePoint> larger = points;

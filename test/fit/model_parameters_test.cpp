@@ -1,4 +1,4 @@
-// Model parameters as unknowns, and the corresponding numbers of the data sheet.
+// Parameters of the fit, and the corresponding numbers of the data sheet.
 #include "fit/model_parameters.h"
 
 #include "support/kit.h"
@@ -23,7 +23,7 @@ TEST(ModelParameters, GivesRatiosWhereNoComponentHasThem) {
   Eigen::VectorXd far = Eigen::VectorXd::Zero(model.size());
   for (Eigen::Index i = 0; i < model.size(); ++i) {
     if (model.names()[static_cast<std::size_t>(i)] == "break_frequency") {
-      far[i] = std::log(1e-3);  // the high frequency falls below the nominal one
+      far[i] = std::log(1e-3);  // the high frequency falls below the nominal frequency
     }
   }
   ASSERT_FALSE(model.elements(far).has_value());
@@ -32,7 +32,7 @@ TEST(ModelParameters, GivesRatiosWhereNoComponentHasThem) {
     ratios[key] = ratio;
   }
   EXPECT_NEAR(ratios.at("high_frequency"), 1e-3, 1e-9);  // proportional to the fastest break frequency
-  EXPECT_GT(ratios.at("dynamic_stiffness"), 1.0);        // everything relaxes below the nominal frequency
+  EXPECT_GT(ratios.at("dynamic_stiffness"), 1.0);        // all elements relax below the nominal frequency
   EXPECT_EQ(ratios.count("static_stiffness"), 0u);
 }
 
@@ -47,7 +47,7 @@ TEST(ModelParameters, GivesTheRatiosOfAComponentThatIs) {
   EXPECT_TRUE(model.ratios(Eigen::VectorXd::Zero(model.size())).empty());
 }
 
-// Departures agree with the specification of the component where there is one, and are zero as configured.
+// Departures are deviations from the data sheet in units of its tolerance. They are zero for the configured component.
 TEST(ModelParameters, DepartFromTheSheetInTolerances) {
   estimation::Specification sheet = multiMaxwell().specification();
   sheet.setTolerance({0.2, {{"dynamic_stiffness", 0.05}}});
@@ -61,7 +61,7 @@ TEST(ModelParameters, DepartFromTheSheetInTolerances) {
   for (const auto& [key, ratio] : model.ratios(near)) {
     ratios[key] = ratio;
   }
-  ASSERT_EQ(model.known().size(), 5U);  // four of the sheet, and the added spring
+  ASSERT_EQ(model.known().size(), 5U);  // four from the data sheet, and the added spring
   for (std::size_t i = 0; i < 4; ++i) {
     const KnownNumber& number = model.known()[i];
     EXPECT_NEAR(departures[static_cast<Eigen::Index>(i)],
@@ -86,7 +86,7 @@ TEST(ModelParameters, OfElementsHaveTheirTolerances) {
   const ModelParameters guess(component, Level::specification);
   EXPECT_TRUE(guess.isGuess());
   EXPECT_FALSE(usual.isGuess());
-  component.add = {{"spring", {{"stiffness", {1e5}}}}};  // an added element is no part of a guess
+  component.add = {{"spring", {{"stiffness", {1e5}}}}};  // an added element is not part of a guess
   const ModelParameters with_added(component, Level::specification);
   EXPECT_TRUE(with_added.isGuess());
   EXPECT_EQ(with_added.known().back().deviation, 0.3);
@@ -94,7 +94,7 @@ TEST(ModelParameters, OfElementsHaveTheirTolerances) {
   EXPECT_NEAR(usual.bounds()[0], std::log(10.0), 1e-12);
 }
 
-// Some data sheets define one stiffness by another, such as K at f_h of a single Maxwell element.
+// Some data sheets define one stiffness by another, such as a single Maxwell element at the high frequency.
 TEST(ModelParameters, DepartFromEveryNumberThatASheetMayState) {
   for (const auto& [key, value] : std::map<std::string, double>{
            {"maximum_stiffness", 1.5e6}, {"loss_angle", 0.1}, {"relative_damping", 0.05}, {"break_frequency", 7.0}}) {

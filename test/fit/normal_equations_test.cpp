@@ -1,4 +1,4 @@
-// Normal equations of the blocks of logs: weights, and blocks without samples that count.
+// Normal equations of the blocks of logs: weights, and blocks without valid samples.
 #include "fit/normal_equations.h"
 
 #include "numerics/gram.h"
@@ -9,7 +9,7 @@
 namespace rubber_suspension::fit {
 namespace {
 
-// Forty cycles at 1 Hz, in which the samples from `first` to `last` have no weight.
+// Returns forty cycles at 1 Hz, in which the samples from `first` to `last` have no weight.
 gap::PreparedRecord record(Eigen::Index first, Eigen::Index last) {
   constexpr Eigen::Index kSamples = 4000;
   gap::PreparedRecord result;
@@ -47,7 +47,7 @@ double heldOut(const BlockGrams& blocks) {
   return std::sqrt(std::inner_product(errors.begin(), errors.end(), blocks.weight.begin(), 0.0));
 }
 
-// A sensor that failed for ten cycles causes blocks without valid samples, which are omitted.
+// If a sensor fails for ten cycles, some blocks have no valid samples and are omitted.
 TEST(NormalEquations, LeaveOutBlocksWithoutSamplesThatCount) {
   const BlockGrams whole = equations({record(0, 0), record(0, 0)});
   for (const Eigen::Index first : {Eigen::Index{0}, Eigen::Index{1200}, Eigen::Index{3000}}) {
@@ -57,7 +57,7 @@ TEST(NormalEquations, LeaveOutBlocksWithoutSamplesThatCount) {
     for (const double weight : blocks.weight) {
       EXPECT_GT(weight, 0.0);
     }
-    // The force is the same, and so is the residual, except for the boundaries of the cycles.
+    // The force is the same, so the residual is the same up to the boundaries of the cycles.
     EXPECT_NEAR(heldOut(blocks), heldOut(whole), 0.02 * heldOut(whole));
   }
 }
@@ -71,7 +71,7 @@ double heldOutBesideTrends(const gap::PreparedRecord& one) {
                      .front());
 }
 
-// With the covariance of a random walk, trends predict held-out blocks of such a force better than free trends do.
+// A trend with the covariance of a random walk predicts held-out blocks of such a force better than a free trend.
 TEST(NormalEquations, HaveTrendsOfARandomWalk) {
   gap::PreparedRecord one = record(0, 0);
   std::mt19937 generator(1);
@@ -84,12 +84,12 @@ TEST(NormalEquations, HaveTrendsOfARandomWalk) {
   const double free = heldOutBesideTrends(one);
   one.rig.one_deviation = 0.005;
   EXPECT_LT(heldOutBesideTrends(one), 0.9 * free);
-  one.lowest_frequency = 0.05;  // the second half cosine is an octave below, the third is not
+  one.lowest_frequency = 0.05;  // an octave above the second half cosine, but not above the third
   EXPECT_LT(PerLogNuisances{true}.costs(one)[2], 1.0);
   EXPECT_GT(PerLogNuisances{true}.costs(one)[3], 1e3);
 }
 
-// Adds a rig with an offset within a prior and an entirely free slow wave.
+// Adds the errors of a rig: an offset with a prior, and a slow wave without a prior.
 void addRig(gap::PreparedRecord& one) {
   Eigen::MatrixXd columns(one.size(), 2);
   columns.col(0).setConstant(0.02);
@@ -100,8 +100,7 @@ void addRig(gap::PreparedRecord& one) {
   one.rig.columns = numerics::whiteningColumns(columns);
 }
 
-// Blocks are the same whether or not products of known columns are precomputed, and agree with
-// PreparedRecord::withoutRig().
+// Precomputing the products of known columns gives the same blocks. They agree with PreparedRecord::withoutRig().
 TEST(NormalEquations, AreTheSameWithKnownColumns) {
   std::vector<gap::PreparedRecord> records = {record(0, 0), record(300, 400)};
   std::vector<double> weights;
@@ -137,17 +136,17 @@ TEST(NormalEquations, AreTheSameWithKnownColumns) {
 
 TEST(WhiteningColumns, MakeErrorsAndUnknownsWhite) {
   Eigen::MatrixXd c = Eigen::MatrixXd::Random(30, 4);
-  c.col(2) = c.col(0) - 2.0 * c.col(1);  // depends on the other two
-  c.col(3) *= 1e3;                       // nearly free
+  c.col(2) = c.col(0) - 2.0 * c.col(1);  // a linear combination of the other two columns
+  c.col(3) *= 1e3;                       // nearly without a prior
   const Eigen::MatrixXd n = numerics::whiteningColumns(c);
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(30, 30);
   const Eigen::MatrixXd root = identity - n * n.transpose();
   EXPECT_LT((root * (identity + c * c.transpose()) * root - identity).cwiseAbs().maxCoeff(), 1e-6);
   const Eigen::MatrixXd again = numerics::columnsOfWhitening(n);
-  EXPECT_LT((again * again.transpose() - c * c.transpose()).cwiseAbs().maxCoeff(), 1e-3);  // relative to 1e6
+  EXPECT_LT((again * again.transpose() - c * c.transpose()).cwiseAbs().maxCoeff(), 1e-3);  // relative to values of 1e6
 }
 
-// Products are correct up to rounding for any number of rows and columns on any processor.
+// Products of columns are correct up to rounding for any number of rows and columns and on any processor.
 TEST(Gram, IsTheProductOfTheColumns) {
   for (const auto& [rows, columns] : {std::pair(1, 1), {7, 2}, {255, 3}, {256, 4}, {300, 7}, {1031, 40}}) {
     const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(rows, columns);

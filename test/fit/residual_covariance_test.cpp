@@ -1,4 +1,4 @@
-// The covariance of estimates whose residuals are autocorrelated, against the dense matrices of its definition.
+// The covariance of estimates with autocorrelated residuals equals its definition by dense matrices.
 #include "fit/residual_covariance.h"
 
 #include <Eigen/LU>
@@ -8,7 +8,7 @@
 namespace rubber_suspension {
 namespace {
 
-// J'OJ with O = s^2 A^-1 A^-T for one run.
+// Returns J'OJ for one run of samples, with J the Jacobian and O = s^2 A^-1 A^-T the covariance of the residuals.
 Eigen::MatrixXd denseCovariance(const Eigen::MatrixXd& jacobian, const fit::Autoregression& model) {
   const Eigen::Index size = jacobian.rows();
   Eigen::MatrixXd filter = Eigen::MatrixXd::Identity(size, size);
@@ -21,9 +21,9 @@ Eigen::MatrixXd denseCovariance(const Eigen::MatrixXd& jacobian, const fit::Auto
 
 TEST(ResidualCovariance, AgreesWithDenseMatrices) {
   fit::Autoregression model;
-  model.coefficients = Eigen::Vector3d(-1.1, 0.5, -0.2);  // roots inside the unit circle
+  model.coefficients = Eigen::Vector3d(-1.1, 0.5, -0.2);  // the filter is stable
   model.innovation = 0.7;
-  const std::vector<Eigen::Index> runs = {600, 2, 256};  // longer, shorter and as long as a block of the recursion
+  const std::vector<Eigen::Index> runs = {600, 2, 256};  // the recursion has blocks of 256
   srand(1);
   const Eigen::MatrixXd jacobian = Eigen::MatrixXd::Random(858, 4);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
@@ -32,7 +32,7 @@ TEST(ResidualCovariance, AgreesWithDenseMatrices) {
     expected += denseCovariance(jacobian.middleRows(begin, length), model);
     begin += length;
   }
-  // The tolerance covers sums of 858 terms that the filter amplifies by less than ten.
+  // The tolerance covers sums of 858 terms, which the filter amplifies by less than ten.
   EXPECT_LT((fit::projectedCovariance(jacobian, runs, model) - expected).norm(), 1e-12 * expected.norm());
 }
 

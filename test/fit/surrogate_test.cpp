@@ -1,4 +1,4 @@
-// The surrogate predicts functions of the motion where it was not fitted, and nothing else.
+// The surrogate predicts functions of the motion on logs to which it was not fitted, and predicts nothing else.
 #include "fit/surrogate.h"
 
 #include "gap/simulate.h"
@@ -14,10 +14,10 @@ constexpr double kStep = 2e-3;      // [s]
 constexpr double kStiffness = 1e6;  // [N/m]
 constexpr double kNoise = 20.0;     // [N]
 
-/// Returns the force that a spring lacks [N] from the displacements of a log [m].
+/// Returns the force [N] that a spring lacks, for the displacements of a log [m].
 using Missing = std::function<std::vector<double>(const std::vector<double>&)>;
 
-/// Sums of sines of 1 to 12 Hz with slowly varying amplitudes up to 1.5 mm, on a spring that lacks a force; 30 s.
+/// Records 30 s of sines of 1 to 12 Hz, with slowly varying amplitudes up to 1.5 mm, on a spring that lacks a force.
 log::Record record(unsigned seed, const Missing& missing) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0.0, kNoise);
@@ -42,7 +42,7 @@ log::Record record(unsigned seed, const Missing& missing) {
 }
 
 struct Errors {
-  double before = 0.0;  // as gaps
+  double before = 0.0;  // gap before and after the fit
   double after = 0.0;
 };
 
@@ -65,8 +65,8 @@ std::vector<gap::PreparedRecord> threeLogs(const Missing& missing) {
   return {record(1, missing), record(2, missing), record(3, missing)};
 }
 
-/// Expects that the gap above the noise floor closes by 60 %, the goal of surrogates, both on left-out logs and, with
-/// the written element, on a further log.
+/// Expects that 60 % of the gap above the noise floor closes, both on left-out logs and, with the written element, on a
+/// further log.
 void expectClosed(const Missing& missing) {
   const std::vector<gap::PreparedRecord> records = threeLogs(missing);
   const fit::SurrogateFit fit = fitTo(records);
@@ -108,7 +108,7 @@ TEST(Surrogate, ClosesHysteresisThatGrowsWithAmplitude) {
   });
 }
 
-// An oscillator of 7 Hz with a damping ratio of 0.08 attached to the component.
+// An oscillator of 7 Hz with a damping ratio of 0.08 is attached to the component.
 TEST(Surrogate, ClosesAResonance) {
   expectClosed([](const std::vector<double>& z) {
     constexpr double kOmega = 2.0 * element::kPi * 7.0;
@@ -128,15 +128,15 @@ TEST(Surrogate, ClosesAResonance) {
   });
 }
 
-// The prior of the rig does not depend on the length of the logs: even beyond 40,000 samples, where some are left out,
-// an offset of 200 N is attributed to the rig to the same share.
+// The length of the logs does not change the prior of the rig: the same share of an offset of 200 N is attributed to
+// the rig, even beyond 40,000 samples, where some samples are omitted.
 TEST(Surrogate, LeavesTheRigItsPriorAtEveryLength) {
   const auto leftBefore = [](std::size_t logs) {
     std::vector<gap::PreparedRecord> records;
     for (std::size_t r = 0; r < logs; ++r) {
       gap::PreparedRecord& one =
           records.emplace_back(record(1, [](const auto& z) { return std::vector<double>(z.size(), 200.0); }));
-      const double deviation = 20.0;  // of the offset [N]; the unit of errors is a tenth of the force
+      const double deviation = 20.0;  // standard deviation of the offset [N]
       const double error = 0.1 * one.force_deviation * std::sqrt(one.counted());
       one.rig.columns = numerics::whiteningColumns(Eigen::VectorXd::Constant(one.size(), deviation / error));
     }
@@ -145,8 +145,7 @@ TEST(Surrogate, LeavesTheRigItsPriorAtEveryLength) {
   EXPECT_NEAR(leftBefore(4), leftBefore(1), 1e-3 * leftBefore(1));
 }
 
-// A force that does not depend on the motion is not learned: the error on left-out logs neither falls nor rises by more
-// than 1 %.
+// A force that does not depend on the motion is not fitted: the error on left-out logs changes by at most 1 %.
 TEST(Surrogate, LeavesHumAlone) {
   unsigned log = 0;
   const fit::SurrogateFit fit = fitTo(threeLogs([&](const std::vector<double>& z) {
@@ -170,7 +169,7 @@ TEST(Surrogate, IsFittedToASingleLogByBlocks) {
   EXPECT_LT(errors.after, 0.5 * errors.before);
 }
 
-// Twice the stroke and force in half the time is the same bench in other units.
+// Twice the stroke and the force in half the time must give the same result in other units.
 TEST(Surrogate, ScalesWithTheLog) {
   const Missing teeth = [](const std::vector<double>& z) {
     return each(z, [](double x) { return 150.0 * std::sin(2.0 * element::kPi * x / 1e-3); });
@@ -191,7 +190,7 @@ TEST(Surrogate, ScalesWithTheLog) {
   const Errors expected = errorsOf(fitTo(records).unseen);
   const Errors found = errorsOf(fitTo(scaled).unseen);
   EXPECT_NEAR(found.before, expected.before, 1e-9);
-  EXPECT_NEAR(found.after, expected.after, 1e-6);  // rounding, amplified by normal equations of condition 1e7
+  EXPECT_NEAR(found.after, expected.after, 1e-6);  // rounding, with a condition number of 1e7
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Parameters fitted to a table of stiffness and loss angle.
+// Fits of parameters to a table of stiffness and loss angle.
 #include "fit/table_fit.h"
 
 #include "rubber_suspension/fit/identification.h"
@@ -42,7 +42,7 @@ const FittedParameter& parameterOf(const TableFit& fit, const std::string& name)
 TEST(TableFit, FindsTheParametersThatMadeTheTable) {
   const TableFit fit = fitToTable(guess(), tableOf(truth()));
   EXPECT_GT(fit.misfit_before, 0.05);
-  // The table has four times as many samples per cycle as the fit, which changes areas by 2e-4.
+  // The table uses four times as many samples per cycle as the fit, which changes loop areas by 2e-4.
   EXPECT_LT(fit.misfit, 1e-3);
   const std::vector<std::pair<std::string, double>> expected = {{"spring[0].stiffness", 3e6},
                                                                 {"maxwell[1].stiffness", 1e6},
@@ -58,7 +58,7 @@ TEST(TableFit, FindsTheParametersThatMadeTheTable) {
   EXPECT_EQ(fit.component.elements().size(), 3U);
 }
 
-// A table and a log of one component give the same elements.
+// Fits to a table and to a log of the same component give the same elements.
 TEST(TableFit, AgreesWithTheFitToALog) {
   log::Log log = logOf("sines", 20000, 1000000, [](int i) {
     const double time = 1e-3 * i;
@@ -85,7 +85,7 @@ TEST(TableFit, TellsWhatTheTableDoesNotShow) {
     points.push_back({frequency, 1e-3, loop.stiffness, loop.loss_angle});
   }
   const TableFit fit = fitToTable(guess(), points);
-  // Two points at one amplitude, far above the break frequency, give four numbers for five parameters.
+  // Two points at one amplitude, far above the break frequency, determine four of the five parameters.
   EXPECT_TRUE(std::any_of(fit.parameters.begin(), fit.parameters.end(),
                           [](const FittedParameter& parameter) { return !parameter.determined; }));
 }
@@ -104,7 +104,7 @@ TEST(TableFit, RefusesWhatIsNoTable) {
       std::invalid_argument);
 }
 
-// A stiffening spring is stiffer about a preload, so rows about mean displacements separate linear and cubic part.
+// A stiffening spring is stiffer about a preload, so rows with mean displacements separate its linear and cubic part.
 TEST(TableFit, FollowsRowsAboutAMeanDisplacement) {
   const auto stiffening = [](double stiffness, double cubic) {
     return io::ComponentDescription{
@@ -122,7 +122,7 @@ TEST(TableFit, FollowsRowsAboutAMeanDisplacement) {
     }
   }
   const TableFit fit = fitToTable(stiffening(2e6, 3e11), points);
-  // The table has four times as many samples per cycle as the fit, which changes areas by 2e-4.
+  // The table uses four times as many samples per cycle as the fit, which changes loop areas by 2e-4.
   EXPECT_LT(fit.misfit, 1e-3);
   EXPECT_NEAR(parameterOf(fit, "spring[0].stiffness").value, 3e6, 1e-2 * 3e6);
   EXPECT_NEAR(parameterOf(fit, "progressive_stiffness[1].cubic").value, 1e11, 1e-2 * 1e11);

@@ -1,4 +1,4 @@
-// The trust-region search for a least sum of squares within limits.
+// The trust-region search minimises a sum of squares within limits.
 #include "numerics/trust_region.h"
 
 #include "support/test.h"
@@ -6,7 +6,7 @@
 namespace rubber_suspension::numerics {
 namespace {
 
-// Rosenbrock's valley with residuals 10 (y - x^2) and 1 - x, undefined for x beyond `end`.
+// Rosenbrock's function with residuals 10 (y - x^2) and 1 - x, which is undefined for x > `end`.
 class Valley final : public SumOfSquares {
  public:
   explicit Valley(double end = std::numeric_limits<double>::infinity()) : end_(end) {}
@@ -40,7 +40,7 @@ TEST(TrustRegion, FollowsAValleyToItsEnd) {
   EXPECT_LT(valley.evaluations, 60);
 }
 
-// On x = 0.5 the minimum is at y = 0.25.
+// Along the limit x = 0.5, the minimum is at y = 0.25.
 TEST(TrustRegion, EndsAtALimit) {
   Valley valley;
   const Optimum found = searchLeast(valley, kStart, {kWide.lower, Eigen::Vector2d(0.5, 10.0)});

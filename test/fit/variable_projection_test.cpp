@@ -1,4 +1,4 @@
-// Fits of random models: residuals as small as the truth's, intervals that contain it, equal bits on any processor.
+// Fits of random models: small residuals, intervals that contain the true values, equal bits on any processor.
 #include "rubber_suspension/fit/identification.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/processor/instructions.h"
@@ -7,7 +7,7 @@
 namespace rubber_suspension {
 namespace {
 
-// Sines of growing amplitude at a constant rate, with stamps rounded to microseconds and a gap in the middle.
+// Returns sines of growing amplitude at a constant rate, with stamps in whole microseconds and a gap in the middle.
 log::Log motion(int samples, std::int64_t step, double phase, std::int64_t gap = 0) {
   log::Log log = logOf("", samples, step, [](int /*i*/) { return 0.0; });
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -20,7 +20,7 @@ log::Log motion(int samples, std::int64_t step, double phase, std::int64_t gap =
   return log;
 }
 
-// Simulates elements and adds an offset and white noise relative to the range of the force.
+// Simulates elements, and adds an offset and white noise relative to the range of the force.
 void measure(const Entries& elements, double noise, std::mt19937& random, log::Log& measurement) {
   measurement.force = gap::simulateLog(component::Component(elements), measurement);
   const auto [low, high] = std::minmax_element(measurement.force.begin(), measurement.force.end());
@@ -30,7 +30,7 @@ void measure(const Entries& elements, double noise, std::mt19937& random, log::L
   }
 }
 
-// Uses one start, because the best of several may have its Maxwell elements in another order.
+// Fits from a single start, because the best of several may have its Maxwell elements in another order.
 fit::Identification fit(const Entries& elements, const std::vector<log::Log>& measurements,
                         const std::vector<std::string>& held = {}) {
   fit::IdentificationOptions options;
@@ -39,7 +39,7 @@ fit::Identification fit(const Entries& elements, const std::vector<log::Log>& me
   return fit::identify(elements, measurements, options);
 }
 
-// Returns the RMS residual of the elements with the best offset.
+// Returns the RMS residual of the elements after subtraction of the mean over all logs.
 double residualOf(const Entries& elements, const std::vector<log::Log>& measurements) {
   double sum = 0.0;
   double squares = 0.0;
@@ -81,7 +81,7 @@ class RandomModel {
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   bool chance() { return between(0.0, 1.0) < 0.5; }
 
-  // Each draw is a statement, because the compiler chooses the order in which arguments of a call are evaluated.
+  // Each draw is a statement of its own, because the order in which arguments of a call are evaluated is not defined.
   void chooseElements() {
     truth.push_back(spring(between(1e6, 5e6)));
     if (chance()) {
@@ -110,7 +110,7 @@ class RandomModel {
   std::mt19937 random_;
 };
 
-constexpr double kSameResidual = 1e-8;  // relative
+constexpr double kSameResidual = 1e-8;  // relative difference
 
 TEST(VariableProjection, LeavesNoMoreThanTheTruthOverRandomModels) {
   const unsigned models = 60;
@@ -130,14 +130,14 @@ TEST(VariableProjection, LeavesNoMoreThanTheTruthOverRandomModels) {
       }
     }
   }
-  // A search from one start may end at a local optimum.
+  // A search from a single start may end at a local optimum.
   EXPECT_GE(at_best, models * 9 / 10);
-  // Intervals are of 95 %; Maxwell elements that changed places are compared with the wrong one.
+  // The intervals are of 95 %. Maxwell elements that swapped places are compared with the wrong element.
   EXPECT_GE(inside, parameters * 85 / 100);
   EXPECT_GE(parameters, 3 * models);
 }
 
-// Residuals that are correlated in time widen the intervals compared with white noise of the same size.
+// If residuals are correlated in time, intervals are wider than for white noise of the same size.
 TEST(VariableProjection, WidensIntervalsWhereResidualsAreCorrelated) {
   std::mt19937 random(3);
   const Entries truth = {spring(3e6), maxwell(5e5, 1.2), maxwell(4e5, 11.0), friction(900.0, 4e-4)};
@@ -186,7 +186,7 @@ TEST(VariableProjection, LeavesOutWhatIsNotThere) {
   log::Log measurement = motion(1500, 2000000, 0.0);
   const Entries truth = {spring(3e6), maxwell(5e5, 2.0), friction(900.0, 4e-4)};
   measure(truth, 1e-3, random, measurement);
-  for (std::size_t i = 1; i < measurement.force.size(); ++i) {  // energy that no Maxwell element can add
+  for (std::size_t i = 1; i < measurement.force.size(); ++i) {  // energy that a Maxwell element cannot add
     measurement.force[i] -= 2e3 * (measurement.displacement[i] - measurement.displacement[i - 1]) / 2e-3;
   }
   const Entries guess = {spring(2e6), dashpot(1e3), maxwell(5e5, 2.0), maxwell(5e5, 50.0), friction(500.0, 5e-4)};
@@ -196,7 +196,7 @@ TEST(VariableProjection, LeavesOutWhatIsNotThere) {
 }
 
 TEST(VariableProjection, EndsAtALimit) {
-  // No break frequency is searched beyond half of the sampling rate of 500 Hz.
+  // The fit searches no break frequency above half of the sampling rate of 500 Hz.
   std::mt19937 random(7);
   log::Log measurement = motion(1500, 2000000, 0.0);
   measure({spring(3e6), maxwell(3e6, 1e3), friction(900.0, 4e-4)}, 1e-5, random, measurement);
@@ -208,7 +208,7 @@ TEST(VariableProjection, EndsAtALimit) {
                                       [](const auto& parameter) { return parameter.name == "break_frequency"; });
   ASSERT_NE(frequency, result.parameters.end());
   EXPECT_FALSE(frequency->determined);
-  // The other parameters are optimal there: they agree with a fit in which the limit is given and held.
+  // The other parameters are optimal: they agree with a fit whose break frequency is fixed at the limit.
   const fit::Identification held =
       fit({spring(2e6), maxwell(5e5, highest), friction(500.0, 5e-4)}, {measurement}, {"maxwell.break_frequency"});
   EXPECT_NEAR(result.residual / held.residual, 1.0, 1e-6);

@@ -1,4 +1,4 @@
-// Errors of a bench are reported with their correction; differences that effects explain are not.
+// Errors of a bench are reported with their correction. Differences that effects explain are not reported.
 #include "rubber_suspension/measurement/bench_check.h"
 
 #include "measurement/examine.h"
@@ -51,7 +51,7 @@ TEST(BenchCheck, NamesSwappedColumns) {
   expectAll(p, finding::kSwappedColumns, "swap");
 }
 
-// With its correction a log has no finding.
+// Expects that a log has no finding after its correction.
 void expectCorrected(const Perturbation& p, const std::string& name) {
   for (const VirtualRig& rig : allRigs(2)) {
     const log::Log log = runRig(rig, p).log;
@@ -74,10 +74,10 @@ TEST(BenchCheck, CorrectsWhatItNames) {
   expectCorrected(swapped, finding::kSwappedColumns);
 }
 
-// A delayed displacement gives loops that generate energy, as swapped columns do, but the stiffness tells them apart.
+// Like swapped columns, a late displacement makes loops generate energy. The stiffness distinguishes the two.
 TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
   Perturbation late;
-  late.delay = -3.0;  // of the force relative to the displacement
+  late.delay = -3.0;  // delay of the force relative to the displacement
   for (const VirtualRig& rig : allRigs(2)) {
     for (const RigFinding& finding : check(rig, late, elementsOf(rig))) {
       EXPECT_NE(finding.finding, finding::kSwappedColumns) << finding.text;
@@ -86,7 +86,7 @@ TEST(BenchCheck, LeavesALateDisplacementToTheEffects) {
   }
 }
 
-// A spring without loss generates energy at any delay of its force; short delays are those of the effect.
+// If a spring has no loss, any delay of its force makes it generate energy. Short delays are an effect, not a fault.
 TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
   const Elements lossless = {spring(2.3e5)};
   const auto late = [](double delay) {
@@ -102,14 +102,14 @@ TEST(BenchCheck, LeavesShortDelaysInSlowMotionToTheEffects) {
   const std::vector<RigFinding> findings = checkBench(lossless, {late(0.06), late(0.06)});
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].finding, finding::kDelay);
-  EXPECT_NEAR(findings[0].value, 0.06, 0.025 / 3.2);  // the search has steps of a fortieth of a cycle
+  EXPECT_NEAR(findings[0].value, 0.06, 0.025 / 3.2);  // the search has steps of 1/40 cycle
 }
 
-// A reversed sign or swapped columns affect all logs of a bench; if only one log of three generates energy, an effect
-// is the cause.
+// A reversed sign or swapped columns affect all logs of a bench. If only one log of three generates energy, the cause
+// is an effect.
 TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
   Perturbation late;
-  late.delay = 20.0;  // samples by which the force is late, more than the effect permits
+  late.delay = 20.0;  // samples by which the force is late; the effect of a delay permits less
   const auto record = [](const VirtualRig& rig, const Perturbation& p) {
     const log::Log log = runRig(rig, p).log;
     return log::makeRecord(repaired(log, findFaults(log)));
@@ -127,7 +127,7 @@ TEST(BenchCheck, LeavesThePhaseOfFewLogsToTheEffects) {
   EXPECT_GT(by_phase, 0);
 }
 
-// A sine, and the force of a law with this stiffness and phase.
+// Returns a record of a sine with the force of a linear law of this stiffness and phase.
 log::Record sine(double frequency, double stiffness, double phase = 0.0, log::UnitsAre units = log::UnitsAre::named) {
   const auto turn = [&](int i) { return 2.0 * element::kPi * frequency * 0.002 * i; };
   log::Log log = logOf(
@@ -146,8 +146,8 @@ std::vector<std::string> namesOf(const std::vector<RigFinding>& findings) {
   return names;
 }
 
-// A mass reduces the stiffness of the fastest log. A factor of an assumed unit in a slow log, and a factor of a
-// thousand in any log, is reported.
+// A mass may reduce the stiffness of the fastest log. The check reports a factor of an assumed unit in a slow log, and
+// a factor of a thousand in any log.
 TEST(BenchCheck, LeavesWhatAMassMakesOfTheFastestLogToTheEffects) {
   const auto record = [](double frequency, double factor, log::UnitsAre units) {
     return sine(frequency, factor * 1e6, 0.0, units);
@@ -169,8 +169,8 @@ TEST(BenchCheck, LeavesWhatAMassMakesOfTheFastestLogToTheEffects) {
   }
 }
 
-// The force of a mass, a damper and a spring with a resonance at 4 Hz: only logs below it have the sign of the spring,
-// and every loop dissipates energy.
+// Returns the force of a mass, a damper and a spring with a resonance at 4 Hz. Above the resonance, the force has the
+// opposite sign of the spring's force. Every loop dissipates energy.
 log::Record massOnSpring(double frequency, double sign = 1.0) {
   const double omega = 2.0 * element::kPi * frequency;
   const double resonance = 2.0 * element::kPi * 4.0;
@@ -187,7 +187,7 @@ TEST(BenchCheck, TakesNoMassForAReversedSign) {
               ElementsAre(finding::kSign, finding::kSign));
 }
 
-// Without loss the work decides nothing, but the slowest log does, because a mass affects it last.
+// Without loss, the work does not show the sign. The slowest log does, because a mass affects it least.
 TEST(BenchCheck, NamesTheReversedSignOfASpringWithoutLoss) {
   EXPECT_THAT(namesOf(checkBench(kSpring, {sine(1.0, -1e6), sine(4.0, -1e6)})),
               ElementsAre(finding::kSign, finding::kSign));
@@ -195,7 +195,7 @@ TEST(BenchCheck, NamesTheReversedSignOfASpringWithoutLoss) {
   EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 1e6), sine(4.0, -0.5e6), sine(5.0, -1e6)}).empty());
 }
 
-// The fastest of three logs also contains slow motion, in which a mass cannot reverse the force.
+// The fastest of three logs also contains slow motion, in which a mass is too weak to reverse the force.
 TEST(BenchCheck, NamesTheReversedSignOfAFastLogWithSlowMotion) {
   log::Record wide = sine(8.0, -1e6);
   const Eigen::ArrayXd cycles = Eigen::ArrayXd::LinSpaced(wide.size(), 0.0, wide.duration());
@@ -207,7 +207,7 @@ TEST(BenchCheck, NamesTheReversedSignOfAFastLogWithSlowMotion) {
   EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 1e6), sine(2.0, 1e6), sine(8.0, -1e6)}).empty()) << "as by a mass";
 }
 
-// The stiffness of the file may be a guess, and the unit may be wrong as well.
+// A reversed sign is found although the stiffness in the file is a guess, or the unit is wrong as well.
 TEST(BenchCheck, NamesTheReversedSignAtAnySizeOfTheSlope) {
   for (const double factor : {0.1, 0.5, 2.0, 10.0, 1000.0}) {
     const auto findings = checkBench(kSpring, {sine(1.0, -factor * 1e6)});
@@ -216,8 +216,8 @@ TEST(BenchCheck, NamesTheReversedSignAtAnySizeOfTheSlope) {
   }
 }
 
-// A guessed stiffness may be wrong by any factor. Named units are therefore doubted only if all logs have the factor of
-// a unit.
+// A guessed stiffness may be wrong by any factor. So a unit that the log names is doubted only if all logs are off by a
+// factor between units.
 TEST(BenchCheck, DoubtsNamedUnitsByTheirOwnFactorInAllLogsAlone) {
   const auto logs = [](double factor, log::UnitsAre units) {
     return std::vector<log::Record>{sine(1.0, factor * 1e6, 0.1, units), sine(3.0, 1.1 * factor * 1e6, 0.1, units)};
@@ -235,7 +235,7 @@ TEST(BenchCheck, DoubtsNamedUnitsByTheirOwnFactorInAllLogsAlone) {
   for (const double factor : {1000.0, 15.0, 2.0}) {
     EXPECT_TRUE(checkBench(kSpring, logs(factor, log::UnitsAre::accepted)).empty());
   }
-  // Deviations within the tolerance of the data sheet, a power of ten for a guess, are not faults of the bench.
+  // Deviations within the tolerance of the data sheet are no faults of the bench. For a guess it is a power of ten.
   const double guess = estimation::SheetTolerance::kGuess;
   for (const double factor : {15.0, 4.448, 2.0, 0.5}) {
     EXPECT_TRUE(checkBench(kSpring, logs(factor, log::UnitsAre::named), guess).empty()) << factor;
@@ -257,7 +257,7 @@ TEST(BenchCheck, NamesWhatWasTakenFromPeakToPeak) {
   EXPECT_TRUE(checkBench(kSpring, {sine(1.0, 2e6), sine(3.0, 1.5e6)}).empty()) << "2.0 in one log alone";
 }
 
-// The law differs slightly from that of the component.
+// The stiffness and phase of the record differ slightly from those of the component.
 TEST(BenchCheck, NamesARectifiedChannel) {
   for (const bool force : {true, false}) {
     log::Record record = sine(2.0, 1.3e6, 0.15);
@@ -269,14 +269,14 @@ TEST(BenchCheck, NamesARectifiedChannel) {
   }
 }
 
-// Contact on one side alone is a law, not a rectifier.
+// A contact that acts on one side only is a law of the component, not a rectified channel.
 TEST(BenchCheck, LeavesASpringThatLiftsOffToTheEffects) {
   log::Record record = sine(2.0, 1.3e6, 0.15);
   record.force = record.force.cwiseMax(0.0).eval();
   EXPECT_TRUE(checkBench(kSpring, {record}).empty());
 }
 
-// The logs are on both sides of the contact, or only on that where the file's contact is open.
+// The log moves on both sides of the contact, or only on the side where the contact in the file is open.
 TEST(BenchCheck, NamesAContactOfTheOtherSide) {
   for (const double side : {1.0, -1.0}) {
     for (const double mean : {0.0, 1.2e-3}) {
@@ -295,7 +295,7 @@ TEST(BenchCheck, NamesAContactOfTheOtherSide) {
   }
 }
 
-// A compliance of one side that hardly supports is a contact that opens, and is reported as one.
+// A very soft compliance on one side acts as an open contact, and is reported as a contact.
 TEST(BenchCheck, NamesAComplianceOfTheOtherSideAsAContact) {
   for (const double side : {1.0, -1.0}) {
     log::Record record = sine(2.0, 1e6);
@@ -310,7 +310,7 @@ TEST(BenchCheck, NamesAComplianceOfTheOtherSideAsAContact) {
   }
 }
 
-// The displacement is held or moves beyond all values that carry a force, so the force may be zero there.
+// The displacement is held, or moves, on the side where the contact is open, so a force of zero is plausible.
 TEST(BenchCheck, TakesNoLongSlackForADeadChannel) {
   for (const double side : {1.0, -1.0}) {
     for (const double swing : {0.0, 1.0}) {
@@ -321,7 +321,7 @@ TEST(BenchCheck, TakesNoLongSlackForADeadChannel) {
       record.displacement = record.raw_displacement;
       record.force = 1e6 * side * (side * record.displacement).cwiseMax(0.0);
       EXPECT_TRUE(checkBench(kSpring, {record}).empty()) << side << swing;
-      // Where other samples at the same displacement carry a force, the contact cannot be open.
+      // Other samples at the same displacement have a force, so the contact cannot be open there.
       record.displacement.tail(slack) = record.raw_displacement.tail(slack) = record.raw_displacement.head(slack);
       EXPECT_THAT(namesOf(checkBench(kSpring, {record})), ElementsAre(finding::kConstant)) << side << swing;
     }
@@ -349,14 +349,14 @@ TEST(BenchCheck, NamesAChannelThatMeasuredNothing) {
   EXPECT_THAT(namesOf(checkBench(kSpring, {noise})), ElementsAre(finding::kConstant));
 }
 
-// The force is weak for the spring of the file, as that of a seal, but changes sign with the velocity.
+// The force of a seal is weak compared with the spring in the file, but changes its sign with the velocity.
 TEST(BenchCheck, TakesNoWeakFrictionForADeadChannel) {
   log::Record seal = sine(2.0, 1e6, 0.5 * element::kPi);
   seal.force = 8.0 * seal.force.cwiseSign();
   EXPECT_TRUE(checkBench(kSpring, {seal}).empty());
 }
 
-// A hold with a hum of the mains that is nearly as large as the force of the motion.
+// During a hold, mains hum is nearly as large as the force of the motion.
 TEST(BenchCheck, TakesNoHoldWithAHumForADeadChannel) {
   log::Record record = sine(2.0, 1e6, 0.1);
   const Eigen::Index held = record.raw_displacement.size() / 2;
@@ -370,7 +370,7 @@ TEST(BenchCheck, TakesNoHoldWithAHumForADeadChannel) {
   EXPECT_TRUE(checkBench(kSpring, {record}).empty());
 }
 
-// A hold in which rubber relaxes, and a motion of small amplitude within a free play.
+// In the first case rubber relaxes during a hold, in the second a small motion stays within a free play.
 TEST(BenchCheck, TakesNoHoldForADeadChannel) {
   log::Record record = sine(2.0, 1e6, 0.1);
   const Eigen::Index half = record.size() / 2;
@@ -406,7 +406,7 @@ TEST(BenchCheck, NamesAnotherComponent) {
   }
 }
 
-// Differences in stiffness due to effects or a wrong specification are not reported.
+// Differences in stiffness are not reported if effects or a wrong specification may cause them.
 TEST(BenchCheck, LeavesEffectsToTheDiagnosis) {
   for (const VirtualRig& rig : allRigs(1)) {
     for (const double factor : {0.6, 1.8}) {

@@ -1,4 +1,4 @@
-// Runs virtual logs through the whole layer, and counts findings over many of them.
+// Runs virtual logs through all functions of measurement/, and counts findings over many logs.
 #pragma once
 
 #include <cmath>
@@ -47,7 +47,7 @@ inline bool covers(const RigFinding& finding, double value) {
   return finding.interval_95[0] <= value && value <= finding.interval_95[1];
 }
 
-/// Returns rigs with all laws and motions, for some seeds each.
+/// Returns rigs with every combination of law and motion, once per seed.
 inline std::vector<VirtualRig> allRigs(unsigned seeds) {
   std::vector<VirtualRig> rigs;
   for (const Law law : {Law::maxwell, Law::friction, Law::progressive}) {
@@ -64,7 +64,7 @@ inline std::vector<VirtualRig> allRigs(unsigned seeds) {
   return rigs;
 }
 
-/// Counts of rigs with the finding, of intervals that contain the true value, and of other findings.
+/// Counts the rigs with the finding, the intervals that contain the true value, and all other findings.
 struct Rate {
   int rigs = 0;
   int found = 0;

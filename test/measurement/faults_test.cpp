@@ -1,5 +1,5 @@
-// Spikes, held values and saturation are found and excluded; sharp corners, stops and standstills are not mistaken for
-// them.
+// Spikes, held values and saturation are found and excluded. Sharp corners, stops and standstills are not mistaken for
+// such faults.
 #include "rubber_suspension/measurement/faults.h"
 
 #include "measurement/examine.h"
@@ -23,14 +23,14 @@ TEST(Faults, FindsSpikes) {
         found += usable[spike] ? 0 : 1;
         ++all;
       }
-      EXPECT_LT(usable.size() - usable.count(), 15);  // six spikes of one or two samples, and few others
+      EXPECT_LT(usable.size() - usable.count(), 15);  // six spikes of one or two samples, and few other samples
     }
     std::cout << "spikes of " << size << ": " << found << " of " << all << "\n";
     EXPECT_GE(found, 0.95 * all);
   }
 }
 
-// Spikes of one or two samples that are small relative to the force and large relative to its noise.
+// The spikes of one or two samples are small relative to the force, but large relative to the noise.
 TEST(Faults, FindsSpikesAboveTheNoise) {
   int found = 0;
   int all = 0;
@@ -52,8 +52,7 @@ TEST(Faults, FindsSpikesAboveTheNoise) {
   EXPECT_GE(found, 0.9 * all);
 }
 
-// If the velocity jumps, the force of a mass has a peak of one sample, whereas noise may hide the jump in the
-// displacement.
+// At a jump of the velocity, the force of a mass has a peak of one sample. Noise may hide the jump in the displacement.
 TEST(Faults, LeavesPeaksOfAMassAlone) {
   const Eigen::Index count = 4000;
   std::mt19937 generator(1);
@@ -75,7 +74,7 @@ TEST(Faults, LeavesPeaksOfAMassAlone) {
   EXPECT_EQ(faults.usable().count(), count - 1);
 }
 
-// A fast motion crosses a clearance within a few samples.
+// A fast motion passes through a clearance within a few samples.
 TEST(Faults, LeavesAClearanceAlone) {
   const Eigen::Index count = 8000;
   std::mt19937 generator(1);
@@ -101,14 +100,14 @@ TEST(Faults, FindsHeldValues) {
     int all = 0;
     for (const VirtualRig& rig : allRigs(3)) {
       if (rig.motion == Motion::holds) {
-        continue;  // most held values would lie where nothing moves
+        continue;  // most held values would lie where the displacement is constant anyway
       }
       const Faults faults = findFaults(runRig(rig, p).log);
       found += static_cast<int>(faults.force.size() - faults.force.count());
       all += 3 * (samples - 1);
     }
     std::cout << "held for " << samples << " samples: " << found << " of " << all << "\n";
-    EXPECT_GE(found, (samples > 10 ? 0.9 : 0.75) * all);  // short holds may lie where the motion turns
+    EXPECT_GE(found, (samples > 10 ? 0.9 : 0.75) * all);  // short holds may lie at a turning point of the motion
     EXPECT_LE(found, all);
   }
 }
@@ -132,7 +131,7 @@ TEST(Faults, FindsSaturation) {
   }
 }
 
-// A triangle without noise that pauses at its ends, and a force with a stop that is hit in each cycle.
+// The displacement is a noise-free triangle that pauses at its ends. The force hits a stop in each cycle.
 TEST(Faults, LeavesCornersAndStopsAlone) {
   const Eigen::Index count = 4000;
   Eigen::VectorXd z(count);
@@ -153,7 +152,7 @@ TEST(Faults, LeavesCornersAndStopsAlone) {
   EXPECT_TRUE(findFaults("stop", z, f).findings.empty());
 }
 
-// A free play causes a corner of the force at the same displacement in each cycle; a spike there is far sharper.
+// A free play causes a corner of the force at the same displacement in each cycle. A spike there is far sharper.
 TEST(Faults, FindsASpikeWhereTheForceHasCorners) {
   const Eigen::Index count = 4000;
   Eigen::VectorXd z(count);
@@ -173,7 +172,7 @@ TEST(Faults, FindsASpikeWhereTheForceHasCorners) {
   EXPECT_LE(count - faults.usable().count(), 2);
 }
 
-// At the end of a ramp both channels have a corner; a spike is far sharper than the corner explains.
+// At the end of a ramp both channels have a corner. A spike is far sharper than this corner.
 TEST(Faults, FindsASpikeWhereTheMotionTurns) {
   const Eigen::Index count = 4000;
   Eigen::VectorXd z(count);
@@ -188,7 +187,7 @@ TEST(Faults, FindsASpikeWhereTheMotionTurns) {
   EXPECT_LE(count - faults.usable().count(), 2);
 }
 
-// Two adjacent spikes, one in each channel, are not a blow, which affects both channels in the same sample.
+// A blow affects both channels in the same sample. Spikes of the two channels in neighbouring samples are no blow.
 TEST(Faults, FindsSpikesOfBothChannelsNextToEachOther) {
   const Eigen::Index count = 4000;
   const Eigen::VectorXd z = Eigen::VectorXd::LinSpaced(count, 0.0, 80.0 * element::kPi).array().sin();
@@ -209,7 +208,7 @@ TEST(Faults, FindsSpikesOfBothChannelsNextToEachOther) {
   EXPECT_TRUE(findFaults("blow", displacement, force).findings.empty());
 }
 
-// The force of friction alone is constant at its limit while the displacement changes.
+// The force of friction alone stays at its limit while the displacement changes.
 TEST(Faults, LeavesFrictionAlone) {
   const Eigen::Index count = 4000;
   Eigen::VectorXd z(count);
@@ -247,16 +246,16 @@ TEST(Faults, OfALogThatIsRefusedTheOneThatExcludesMostIsNamed) {
     const double z = std::sin(0.0157 * i);
     log.stamp.push_back(static_cast<std::int64_t>(i) * 2000000);
     log.displacement.push_back(1e-3 * z);
-    log.force.push_back(std::clamp(1e3 * z, -450.0, 450.0) + (i % 800 == 7 ? 200.0 : 0.0));  // in every second cycle
+    log.force.push_back(std::clamp(1e3 * z, -450.0, 450.0) + (i % 800 == 7 ? 200.0 : 0.0));  // every 2nd cycle
   }
   const std::string text = messageOf<log::LogError>([&] { prepareLog(log); });
   EXPECT_THAT(text, testing::HasSubstr("samples are usable"));
   EXPECT_THAT(text, testing::HasSubstr("(clipped)"));
 }
 
-// A force with a phase shift saturates while the displacement still changes, as does friction, which leaves its limit
-// only where the displacement turns. More than half of the samples are saturated; 16 spikes do not suffice to refuse
-// the log.
+// A force with a phase shift saturates while the displacement still changes. Friction does the same, but leaves its
+// limit only where the displacement turns. More than half of the samples are saturated, so saturation must be named,
+// not the 16 spikes.
 TEST(Faults, FindsSaturationOfAForceThatIsNotInPhase) {
   for (const double phase : {-1.5, -0.5, 0.0, 0.5, 1.5}) {
     log::Log log;

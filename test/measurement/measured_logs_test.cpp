@@ -1,4 +1,4 @@
-// Measured logs of other laboratories are read without a finding of an error of the bench.
+// Measured logs of other laboratories have no finding of an error of the bench.
 #include <iostream>
 
 #include "log/even_blocks.h"
@@ -12,7 +12,7 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-// A measured log with elements that stand for its data sheet, estimated from the log without a model.
+// A measured log. Its elements replace a data sheet: they are estimated from the log without a model.
 struct Measured {
   const char* folder;
   const char* file;

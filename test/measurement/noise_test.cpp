@@ -1,4 +1,4 @@
-// Noise models: coloured noise is detected, whitening yields white noise, and the noise floor equals the noise.
+// Noise models: coloured noise is detected, whitening yields white noise, and the noise floor equals the true noise.
 #include "measurement/examine.h"
 #include "measurement/functions_of_motion.h"
 #include "rubber_suspension/element/constants.h"
@@ -29,10 +29,10 @@ TEST(NoiseModel, TellsColour) {
             << false_findings << "\n";
   EXPECT_LE(false_findings, 1);
   EXPECT_EQ(found, kDraws);
-  EXPECT_GE(covered, 34);  // binomial: fewer of 40 intervals of 95 % hold in only 1 of 100 runs
+  EXPECT_GE(covered, 34);  // binomial: in only 1 of 100 runs, fewer of 40 intervals of 95 % contain the truth
 }
 
-// Innovations have standard deviation 1 and no correlation, with or without missing samples.
+// Whitened noise has a standard deviation of 1 and no correlation, with or without missing samples.
 TEST(Whitener, Whitens) {
   for (const int kind : {0, 1, 2}) {
     Perturbation p;
@@ -45,13 +45,13 @@ TEST(Whitener, Whitens) {
     const Whitener whitener(estimateNoise(noise, mask), mask);
     const Eigen::VectorXd white = whitener(noise).col(0);
     EXPECT_EQ(white[3010], 0.0);
-    // The estimates have deviations of 0.007 and 0.01; the limits are wider because of the filter with its 30 dB.
+    // The estimates have standard deviations of 0.007 and 0.01. A filter of 30 dB needs wider limits.
     EXPECT_NEAR(std::sqrt(white.squaredNorm() / static_cast<double>(mask.count())), 1.0, 0.05) << kind;
     EXPECT_NEAR(white.head(kCount - 1).dot(white.tail(kCount - 1)) / white.squaredNorm(), 0.0, 0.06) << kind;
   }
 }
 
-// Computed by whitening alone: whitened unit vectors form a triangular matrix, whose determinant enters the density.
+// Computes the likelihood from whitened unit vectors: the determinant of their triangular matrix scales the density.
 double logLikelihood(const NoiseModel& model, const Mask& mask, const Eigen::VectorXd& noise) {
   const Whitener whiten(model, mask);
   const Eigen::MatrixXd matrix = whiten(Eigen::MatrixXd::Identity(noise.size(), noise.size()));
@@ -59,7 +59,7 @@ double logLikelihood(const NoiseModel& model, const Mask& mask, const Eigen::Vec
          0.5 * std::log(2.0 * element::kPi) * static_cast<double>(noise.size());
 }
 
-// The estimated model has a higher likelihood than white noise of the same size.
+// The estimated model has a higher likelihood than white noise with the same standard deviation.
 TEST(Whitener, PrefersTheColourThatIsThere) {
   constexpr Eigen::Index kFew = 1000;
   Perturbation p;
@@ -70,12 +70,12 @@ TEST(Whitener, PrefersTheColourThatIsThere) {
   white.white = 1.0;
   white.samples = kFew;
   EXPECT_GT(logLikelihood(estimateNoise(noise, mask), mask, noise), logLikelihood(white, mask, noise) + 10.0);
-  // White noise has a closed form.
+  // The likelihood of white noise has a closed form.
   EXPECT_NEAR(logLikelihood(white, mask, noise),
               -0.5 * noise.squaredNorm() - 0.5 * std::log(2.0 * element::kPi) * static_cast<double>(kFew), 1e-6 * kFew);
 }
 
-// The floor is within a factor of 1.3 in 90 % of the rigs, for each kind of noise.
+// The estimated noise floor is within a factor of 1.3 of the noise in 90 % of the rigs, for each kind of noise.
 TEST(NoiseFloor, IsThatOfTheNoise) {
   Perturbation pink;
   pink.pink = true;
@@ -100,8 +100,8 @@ TEST(NoiseFloor, IsThatOfTheNoise) {
   }
 }
 
-// A residual that follows the motion is a model error, not noise: a third of the Maxwell element is ten times the white
-// noise. 1/f noise is found in most rigs.
+// A residual that follows the motion is a model error, not noise. A third of the Maxwell element is missing here, ten
+// times the white noise. In contrast, 1/f noise is found in most rigs.
 TEST(EvidenceOfNoise, IsThatOfAPowerThatDoesNotFollowTheMotion) {
   const std::vector<VirtualRig> rigs = allRigs(2);
   const auto coloured = [&](const Perturbation& p, double of_maxwell) {
@@ -124,7 +124,7 @@ TEST(EvidenceOfNoise, IsThatOfAPowerThatDoesNotFollowTheMotion) {
   EXPECT_GE(of_noise, 20);
 }
 
-// A stop and a cubic spring that the model lacks are removed; noise remains, up to the share that the functions absorb.
+// The forces of a stop and a cubic spring are removed. The noise remains, except for the part that the functions fit.
 TEST(FunctionsOfMotion, AreNoNoise) {
   for (const Motion motion : {Motion::sines, Motion::sweep, Motion::track}) {
     VirtualRig rig;
@@ -136,10 +136,10 @@ TEST(FunctionsOfMotion, AreNoNoise) {
     const Eigen::VectorXd missing = 20.0 * (z.cube() + 3.0 * (z - 0.6).max(0.0)).matrix();
     const Eigen::VectorXd rest = withoutFunctionsOfMotion(record, noise + missing, mask);
     const double left = std::sqrt(rest.squaredNorm() / static_cast<double>(rest.size()));
-    // Linear interpolation over h = 2/11 misses the knee by up to 60 h/8 = 1.4 in one of eleven intervals, and the
-    // cubic by 120 h^2/12 = 0.3 at its ends: 3 % more than the noise in total.
+    // Linear interpolation with a step h = 2/11 misses the knee by up to 60 h/8 = 1.4 in one of eleven intervals, and
+    // the cubic by 120 h^2/12 = 0.3 at its ends. Both add 3 % to the noise.
     EXPECT_LT(left, 1.05);
-    // 39 functions are fitted to 10 000 samples.
+    // The fit of 39 functions to 10 000 samples removes little of the noise.
     EXPECT_GT(std::sqrt(withoutFunctionsOfMotion(record, noise, mask).squaredNorm() / static_cast<double>(rest.size())),
               0.97);
   }
@@ -161,7 +161,7 @@ TEST(NoiseFloor, IsNeverZeroNorAboveTheModel) {
   EXPECT_GT(noiseFloor(record, Eigen::VectorXd::Zero(record.size()), mask), 0.0);
   const Eigen::VectorXd residual = 5.0 * unitNoise(record.size(), {}, 1);
   const double left = std::sqrt(residual.squaredNorm() / static_cast<double>(record.size()));
-  EXPECT_LE(noiseFloor(record, residual, mask), left * (1.0 + 1e-12));  // the order of summation differs
+  EXPECT_LE(noiseFloor(record, residual, mask), left * (1.0 + 1e-12));  // the sums have another order
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Virtual rigs with known forces, and the errors that benches add to logs: offsets, starts in motion, spikes, noise.
+// Virtual rigs with known forces, and errors that benches add to logs: offsets, starts in motion, spikes, noise.
 #pragma once
 
 #include <unsupported/Eigen/FFT>
@@ -14,12 +14,12 @@ using Elements = std::vector<element::ElementDescription>;
 enum class Law { maxwell, friction, progressive };
 enum class Motion { sines, sweep, track, holds };
 
-/// A bench with a component; its lengths, forces and times can be scaled.
+/// A bench with a component. Its lengths, forces and times can be multiplied by scale factors.
 struct VirtualRig {
   Law law = Law::maxwell;
   Motion motion = Motion::track;
   unsigned seed = 1;
-  double noise = 0.003;     // of the force, relative to its standard deviation
+  double noise = 0.003;     // noise of the force, relative to the standard deviation of the force
   double sampling = 500.0;  // [Hz]
   double duration = 20.0;   // [s]
   double length = 1.0;      // scale factors
@@ -27,13 +27,13 @@ struct VirtualRig {
   double time = 1.0;
 };
 
-/// Errors of the bench; shares refer to the range of the channel.
+/// Errors of the bench. Shares are relative to the range of the channel.
 struct Perturbation {
   double force_zero = 0.0;
   double displacement_zero = 0.0;
   bool running_start = false;
   double spikes = 0.0;      // size of three spikes in each channel
-  int held = 0;             // samples; three holds of the force
+  int held = 0;             // samples in each of three holds of the force
   double clipped = 0.0;     // share of the range that is cut off at the top of the force
   bool pink = false;        // the noise is 1/f
   double anti_alias = 0.0;  // corner frequency of a fourth-order low-pass of the noise, in cycles per sample
@@ -45,13 +45,13 @@ struct Perturbation {
   bool swapped = false;
 };
 
-/// A log and the errors that were added to it.
+/// A log, and the errors that were added to this log.
 struct VirtualLog {
   log::Log log;
   double force_zero = 0.0;         // [N]
   double displacement_zero = 0.0;  // [m]
-  double transient = 0.0;          // force at the start that is due to the motion before the log [N]
-  double delay = 0.0;              // in the middle of the log [s]
+  double transient = 0.0;          // force at the start due to the motion before the log [N]
+  double delay = 0.0;              // delay in the middle of the log [s]
   double noise = 0.0;              // standard deviation of the added noise [N]
   std::vector<Eigen::Index> spikes;
 };
@@ -68,7 +68,7 @@ inline Elements elementsOf(const VirtualRig& rig) {
   return elements;
 }
 
-/// Displacement [2 mm] over time [s], at rest before 0.
+/// Displacement in units of 2 mm as a function of time [s], at rest before time 0.
 class Programme {
  public:
   Programme(Motion motion, unsigned seed, double duration) : motion_(motion), duration_(duration) {
@@ -110,7 +110,7 @@ class Programme {
     }
   }
 
-  // Four blocks, each with one frequency and amplitude, joined smoothly.
+  // Returns the displacement of four blocks with one frequency and amplitude each, joined smoothly.
   double sines(double time) const {
     const double block = duration_ / 4.0;
     const auto i = static_cast<std::size_t>(std::min(3.0, std::floor(time / block)));
@@ -121,7 +121,7 @@ class Programme {
     return amplitude[i] * envelope * std::sin(2.0 * element::kPi * std::min(frequency_[10 * i + 5], 6.0) * local);
   }
 
-  // Ramps to levels that are then held.
+  // Returns the displacement of ramps to levels that are then held.
   double holds(double time) const {
     const double step = duration_ / 8.0;
     const auto i = static_cast<std::size_t>(std::min(7.0, std::floor(time / step)));
@@ -152,7 +152,7 @@ inline std::vector<Eigen::VectorXd> simulateAll(const Elements& elements, const 
   return forces;
 }
 
-/// Returns white, 1/f or low-pass filtered noise of standard deviation 1.
+/// Returns white, 1/f or low-pass filtered noise with a standard deviation of 1.
 inline Eigen::VectorXd unitNoise(Eigen::Index count, const Perturbation& p, unsigned seed) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal;
@@ -172,7 +172,7 @@ inline Eigen::VectorXd unitNoise(Eigen::Index count, const Perturbation& p, unsi
     }
     fft.inv(white, spectrum);
   } else if (p.anti_alias > 0.0) {
-    for (const double quality : {0.541196, 1.306563}) {  // two stages of a Butterworth filter of fourth order
+    for (const double quality : {0.541196, 1.306563}) {  // two stages of a fourth-order Butterworth filter
       const double t = std::tan(element::kPi * p.anti_alias);
       const double n = 1.0 / (1.0 + t / quality + t * t);
       double x1 = 0.0, x2 = 0.0, y1 = 0.0, y2 = 0.0;
@@ -197,7 +197,7 @@ inline Eigen::VectorXd unitNoise(Eigen::Index count, const Perturbation& p, unsi
   return noise;
 }
 
-/// Interpolates by the cubic through four samples.
+/// Interpolates with the cubic through four samples.
 inline double between(const Eigen::VectorXd& values, double at) {
   const Eigen::Index left = std::clamp(static_cast<Eigen::Index>(std::floor(at)), Eigen::Index{1}, values.size() - 3);
   const double s = at - static_cast<double>(left);
@@ -218,7 +218,7 @@ inline void addSpikes(Eigen::VectorXd& values, double size, std::mt19937& genera
 
 /// Simulates the rig and returns its log with the errors of the bench.
 inline VirtualLog runRig(const VirtualRig& rig, const Perturbation& p = {}, const std::string& name = "log") {
-  constexpr double kBefore = 4.3;  // [s] of motion before a log that starts in motion
+  constexpr double kBefore = 4.3;  // motion before a log that starts in motion [s]
   const double lead = p.running_start ? kBefore : 0.0;
   const auto count = static_cast<Eigen::Index>(rig.duration * rig.sampling);
   const auto before = static_cast<Eigen::Index>(lead * rig.sampling);

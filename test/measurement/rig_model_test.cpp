@@ -1,4 +1,4 @@
-// Errors of rigs are found, with intervals that contain the true value; a rig without errors has no findings.
+// Errors of rigs are found, with intervals that contain the true value. A rig without errors has no findings.
 #include "rubber_suspension/measurement/rig_model.h"
 
 #include "measurement/examine.h"
@@ -8,9 +8,9 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-// Of 24 to 36 intervals of 95 %, at least this share holds in 99 of 100 runs (binomial).
+// At least this share of 24 to 36 intervals of 95 % contains the true value in 99 of 100 runs (binomial).
 constexpr double kCovered = 0.84;
-constexpr double kFalse = 0.05;  // largest rate of other findings per log
+constexpr double kFalse = 0.05;  // largest rate of false findings per log
 
 double nothing(const VirtualLog&) { return 0.0; }
 
@@ -26,14 +26,14 @@ TEST(RigModel, FindsNothingWhereNothingWasDone) {
   }
 }
 
-// An offset is found if the motion identifies it; for a linear component, both offsets have the same effect.
+// An offset is found if the motion identifies it. With a linear component, both offsets have the same effect.
 TEST(RigModel, FindsZeros) {
   for (const double size : {0.002, 0.01, 0.03}) {
     Perturbation p;
     p.force_zero = size;
     const Rate rate =
         rateOf(allRigs(3), p, finding::kForceZero, [](const VirtualLog& log) { return log.force_zero; }, "force zero");
-    // For a progressive spring, a small offset may also be attributed to the displacement.
+    // With a progressive spring, a small offset of the force may be attributed to the displacement.
     EXPECT_GE(rate.share(rate.found), 0.85);
     EXPECT_GE(rate.covered, kCovered * rate.found);
     EXPECT_LE(rate.share(rate.others), kFalse);
@@ -56,7 +56,7 @@ TEST(RigModel, FindsDisplacementZeroOfProgressiveSpring) {
   }
 }
 
-// Both offsets are removed from the residual, whichever channel they are attributed to.
+// Both offsets are removed from the residual, even if one is attributed to the other channel.
 TEST(RigModel, TakesZerosOut) {
   Perturbation p;
   p.force_zero = 0.03;
@@ -65,7 +65,7 @@ TEST(RigModel, TakesZerosOut) {
     const VirtualLog log = runRig(rig, p);
     const Examined examined = examine(log, elementsOf(rig));
     const double left = std::sqrt(examined.fit.residual.squaredNorm() / static_cast<double>(examined.record.size()));
-    EXPECT_LT(left, 1.05 * log.noise);  // the parameters fitted to 10000 samples reduce the noise by less
+    EXPECT_LT(left, 1.05 * log.noise);  // the fit to 10000 samples reduces the noise by less than this
     EXPECT_GT(left, 0.95 * log.noise);
   }
 }
@@ -94,7 +94,7 @@ TEST(RigModel, FindsGainAndClock) {
     Perturbation p;
     p.clock = size;
     const Rate rate = rateOf(allRigs(3), p, finding::kClock, [size](const VirtualLog&) { return size; }, "clock");
-    // The smallest error, 0.3 ms at the ends of the log, is below a tenth of the noise if the motion is slow.
+    // In slow motion, the smallest clock error has an effect below a tenth of the noise: 0.3 ms at the ends of the log.
     EXPECT_GE(rate.share(rate.found), size > 5e-5 ? 0.95 : 0.7);
     EXPECT_GE(rate.covered, kCovered * rate.found);
     EXPECT_LE(rate.share(rate.others), kFalse);
@@ -107,11 +107,11 @@ TEST(RigModel, FindsRunningStart) {
   std::vector<VirtualRig> rigs = allRigs(6);
   rigs.erase(
       std::remove_if(rigs.begin(), rigs.end(), [](const VirtualRig& rig) { return rig.motion == Motion::holds; }),
-      rigs.end());  // their motion is at rest when the log starts
+      rigs.end());  // holds start at rest
   const Rate rate =
       rateOf(rigs, p, finding::kRunningStart, [](const VirtualLog& log) { return log.transient; }, "running start");
   EXPECT_GE(rate.covered, kCovered * rate.found);
-  EXPECT_GE(rate.share(rate.found), 0.4);  // the other transients are below the noise
+  EXPECT_GE(rate.share(rate.found), 0.4);  // the transients of other rigs are below the noise
   EXPECT_LE(rate.share(rate.others), 2.0 * kFalse);
 }
 
@@ -139,7 +139,7 @@ TEST(RigModel, ScalesWithTheBench) {
       const RigFinding& other = reference.findings[i];
       EXPECT_EQ(one.finding, other.finding);
       const double scale = one.unit == "N" ? force : (one.unit == "m" ? length : (one.unit == "s" ? time : 1.0));
-      // Stamps are whole nanoseconds, and sums are rounded.
+      // The tolerance covers stamps in whole nanoseconds and the rounding of sums.
       EXPECT_NEAR(one.value, scale * other.value, 1e-3 * scale * std::abs(other.value)) << one.finding;
     }
   }
@@ -174,19 +174,19 @@ TEST(InitialStates, AreNoneOfALogThatStartsAtRest) {
   EXPECT_EQ(none.cols(), 0);
 }
 
-// A ramp from the first sample on, as in a relaxation test, moves at once, but starts from rest and without force.
+// A ramp from the first sample on, as in a relaxation test, moves at once, but starts unloaded and at rest.
 TEST(RigModel, ARampFromRestDoesNotStartInMotion) {
   log::Log log = logOf(
       "ramp", 4000, 2000000, [](int i) { return 1e-3 * std::min(1.0, i / 200.0); },
       [](int i, double z) { return 1e6 * z * (1.0 + 0.3 * std::exp(-std::max(0, i - 200) / 500.0)); });
   EXPECT_FALSE(startsInMotion(log::makeRecord(log)));
   for (double& force : log.force) {
-    force += 300.0;  // as an earlier motion may leave
+    force += 300.0;  // the force that an earlier motion may leave behind
   }
   EXPECT_TRUE(startsInMotion(log::makeRecord(log)));
 }
 
-// The log starts during a ramp before a hold: the start is excluded, but not from the deviation of the force.
+// The log starts during a ramp to a hold. The fit excludes the start, the standard deviation of the force does not.
 TEST(PrepareLog, ScalesByTheForceOfTheStartToo) {
   std::mt19937 generator(3);
   std::normal_distribution<double> noise(0.0, 20.0);
