@@ -1,4 +1,4 @@
-// The memory that the machine and its control groups have available, from files as the kernel writes them.
+// The memory that is available to the computer and its control groups, from files in the kernel's format.
 #include "io/available_memory.h"
 
 #include <sys/resource.h>
@@ -47,10 +47,10 @@ TEST_F(AvailableMemory, OfControlGroupsOfVersion2) {
   EXPECT_EQ(mebibytes(), 924U);
   write(group + "/memory.stat", "anon 5\ninactive_file 52428800\nactive_file 7\n");
   EXPECT_EQ(mebibytes(), 974U);
-  write("/sys/fs/cgroup/user.slice/memory.max", "209715200\n");  // the limit of the parent group is lower
+  write("/sys/fs/cgroup/user.slice/memory.max", "209715200\n");  // the parent group has a lower limit
   write("/sys/fs/cgroup/user.slice/memory.current", "104857600\n");
   EXPECT_EQ(mebibytes(), 100U);
-  write("/sys/fs/cgroup/user.slice/memory.current", "999999999\n");  // and already used up
+  write("/sys/fs/cgroup/user.slice/memory.current", "999999999\n");  // all of it is used
   EXPECT_EQ(mebibytes(), 0U);
 }
 
@@ -78,7 +78,7 @@ TEST_F(AvailableMemory, LinesThatAreNoGroups) {
 }
 
 TEST_F(AvailableMemory, OfTheLimitOfAddresses) {
-  // The limit applies to this process, so it has to be far beyond the addresses that a build with sanitizers reserves.
+  // The limit applies to the test itself, so it must exceed the address space that a build with sanitizers reserves.
   constexpr std::uint64_t kLimit = std::uint64_t{64} << 40U;
   write("/proc/self/statm", "1000 10 1\n");
   rlimit before{};

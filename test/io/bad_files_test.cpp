@@ -1,5 +1,5 @@
-// Component files that have to be refused. The first line of each, `# error: ...`, contains the beginning of its error,
-// from the line number after the file's name on.
+// Component files that must be refused. The first line of each, `# error: ...`, contains the beginning of the expected
+// error, from the line number on.
 #include "rubber_suspension/io/component_file.h"
 #include "support/files.h"
 #include "support/test.h"

@@ -1,4 +1,4 @@
-// Component files: which ones are accepted, and that written files read back to the same numbers.
+// Component files: accepted files, and that written files read back to the same numbers.
 #include "rubber_suspension/io/component_file.h"
 
 #include <sys/stat.h>
@@ -54,7 +54,7 @@ TEST(ComponentFile, LoadsModelsAndElementsWithUnits) {
   EXPECT_EQ(components[0].add[0].value("displacement"), 0.0022);
   EXPECT_EQ(components[1].model(), estimation::Model::elements);
   EXPECT_EQ(components[1].allElements().at(0).value("stiffness"), 1e6);
-  // The elements are a spring, five Maxwell elements and the friction that the file adds.
+  // The elements are a spring, five Maxwell elements and the friction under `add`.
   EXPECT_EQ(components[0].allElements().size(), 7u);
 }
 
@@ -71,7 +71,7 @@ TEST(ComponentFile, AnglesAndPercentAreConverted) {
   EXPECT_DOUBLE_EQ(components[1].specification().at("relative_damping"), 0.05);
 }
 
-// A parameter server passes "3.0e6" as text, because YAML 1.1 requires a sign in the exponent.
+// The parameter server passes "3.0e6" as text, because YAML 1.1 requires a sign in the exponent.
 std::string withTolerance(const std::string& tolerance) {
   return "components:\n  a:\n    model: kelvin_voigt\n    specification:\n      dynamic_stiffness: 4e6\n"
          "      nominal_frequency: 4\n      loss_angle: 0.1\n      tolerance: " +
@@ -157,7 +157,7 @@ TEST(ComponentFile, AnAliasIsAPlainCopy) {
 
 TEST(ComponentFile, AliasesThatMultiplyAreRefusedAtOnce) {
   std::string text = "a0: &a0 [x, x]\n";
-  for (int i = 1; i < 60; ++i) {  // it would expand to 2^60 leaves
+  for (int i = 1; i < 60; ++i) {  // would expand to 2^60 values
     text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [*a" + std::to_string(i - 1) + ", *a" +
             std::to_string(i - 1) + "]\n";
   }
@@ -213,7 +213,7 @@ TEST(ComponentFile, NamesAFileThatCannotBeRead) {
   EXPECT_THROW(io::loadComponentFile(pipe.path()), io::ComponentFileError);  // does not wait for a writer
 }
 
-// The estimated elements always match the specification, which is read-only and can only be replaced as a whole.
+// The specification is read-only, so that the estimated elements always match it. It can only be replaced as a whole.
 TEST(ComponentDescription, HasTheElementsOfItsSpecification) {
   using Access = decltype(std::declval<io::ComponentDescription&>().specification());
   static_assert(std::is_same_v<Access, const estimation::Specification&>);
@@ -229,7 +229,7 @@ TEST(ComponentDescription, HasTheElementsOfItsSpecification) {
   EXPECT_EQ(stiffnessOf(component.elements()), 3.1e6);
   EXPECT_EQ(stiffnessOf(component.elements()), stiffnessOf(estimated()));
   EXPECT_EQ(component.allElements().size(), component.elements().size() + component.add.size());
-  other.set("static_stiffness", 5e6);  // above the dynamic stiffness
+  other.set("static_stiffness", 5e6);  // larger than the dynamic stiffness
   EXPECT_THROW(component.specify(other), std::invalid_argument);
   EXPECT_EQ(component.specification().at("static_stiffness"), 3.1e6);
   EXPECT_EQ(stiffnessOf(component.elements()), 3.1e6);
@@ -256,7 +256,7 @@ TEST(SelectComponent, TakesTheNamedOrTheOnlyOne) {
   EXPECT_EQ(io::selectComponent(one, "").name, "a");
 }
 
-// Values over the whole range of accepted exponents, and parameters of every law that accepts them.
+// Values cover the range of accepted exponents, for the parameters of every law that accepts them.
 TEST(ToYaml, ReadsBackBitByBit) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> exponent(-100.0, 30.0);
@@ -351,8 +351,8 @@ TEST(ComponentDescription, IsValidWhereItSaysNothingWithinItsTables) {
   EXPECT_FALSE(io::parseComponentFile(friction, "").front().validDisplacement());  // a nominal amplitude is not a bound
 }
 
-// Absolute temperatures are converted with the offset of their scale, differences without it. The factor b_T = T/T_0 of
-// the force has the coefficient 1/T_0.
+// Absolute temperatures are converted with the offset of their scale, differences without it. The factor b_T = T/T_0 on
+// the force corresponds to the coefficient 1/T_0.
 TEST(ComponentFile, TemperatureWithUnits) {
   const io::ComponentDescription bush = parse(kWithTemperature).at(0);
   ASSERT_TRUE(bush.temperature);

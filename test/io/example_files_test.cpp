@@ -1,4 +1,4 @@
-// All files in config/ load, and the example shows every key of a component file.
+// All files in config/ are valid, and the example contains every key of a component file.
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
@@ -9,7 +9,7 @@ namespace {
 
 const std::string kFolder = TEST_DIR "/../config";
 
-// Returns the component, or the components of its directions that have a law.
+// Returns the component itself or, if it has six directions, a component for each direction with a law.
 std::vector<io::ComponentDescription> directionsOf(const io::ComponentDescription& component) {
   if (component.six == nullptr) {
     return {component};

@@ -1,4 +1,4 @@
-// Figures are drawn, fit for light and dark pages, and their errors are reported.
+// Figures are drawn for light and dark pages, and errors of drawing are reported.
 #include "rubber_suspension/io/figure.h"
 
 #include "support/files.h"
@@ -37,7 +37,7 @@ TEST(DrawFigure, SvgFollowsLightAndDark) {
   EXPECT_THAT(svg, Not(HasSubstr("#000000")));
   EXPECT_THAT(svg, Not(HasSubstr("#ffffff")));
   io::drawFigure(exampleFigure(), file.path());
-  EXPECT_EQ(contentOf(file.path()), svg);  // the same figure gives the same bytes, so that reports can be compared
+  EXPECT_EQ(contentOf(file.path()), svg);  // the bytes are reproducible, so that reports can be compared
 }
 
 TEST(DrawFigure, Png) {
@@ -46,7 +46,7 @@ TEST(DrawFigure, Png) {
   EXPECT_THAT(contentOf(file.path()), StartsWith("\x89PNG"));
 }
 
-// The axis shows names instead of numbers; a value is drawn below the middle of its row by the offset.
+// The axis has names instead of numbers. The offset moves a value down from the middle of its row.
 TEST(DrawFigure, RowsOfNames) {
   io::Axes axes;
   axes.rows = {"first work", "second work"};
@@ -58,7 +58,7 @@ TEST(DrawFigure, RowsOfNames) {
   EXPECT_EQ(markers.y, (std::vector<double>{0.1, 1.1}));
   EXPECT_EQ(lines.x[3], 1.5);
   EXPECT_EQ(lines.x[4], 3.0);
-  EXPECT_TRUE(std::isnan(lines.x[2]));  // rows are not connected by a line
+  EXPECT_TRUE(std::isnan(lines.x[2]));  // NaN separates the lines of two rows
   const TemporaryFile file("rows.svg", "");
   io::drawFigure({"", {axes}, 1}, file.path());
   const std::string svg = contentOf(file.path());
@@ -76,7 +76,7 @@ TEST(DrawFigure, AcceptsTwoKindsOfFile) {
 
 TEST(DrawFigure, MuchDataPassesThrough) {
   io::Figure figure = exampleFigure();
-  for (int i = 0; i < 20000; ++i) {  // more bytes than the buffer of a pipe
+  for (int i = 0; i < 20000; ++i) {  // more bytes than fit into the buffer of a pipe
     figure.axes[0].curves[0].x.push_back(4.0 + i);
     figure.axes[0].curves[0].y.push_back(std::sin(i));
   }
@@ -107,7 +107,7 @@ TEST(DrawFigure, TellsWhatIsWrong) {
   EXPECT_THROW(io::drawFigure(bad, svg.path()), io::FigureError);
 }
 
-// A module of this name that fails to import shadows the real one, as if Matplotlib were not installed.
+// A module named matplotlib that fails to import hides the real one, as if Matplotlib were not installed.
 TEST(DrawFigure, NamesAMissingMatplotlib) {
   const TemporaryFile module("matplotlib.py", "raise ImportError('none here')\n");
   setenv("PYTHONPATH", module.folder().c_str(), 1);

@@ -60,7 +60,7 @@ TEST_F(FolderLock, AFolderThatItMadeForNothingGoes) {
   EXPECT_FALSE(fs::exists(folder_));
   fs::create_directories(folder_);
   std::make_unique<io::FolderLock>(folder_).reset();
-  EXPECT_TRUE(fs::exists(folder_));  // because it existed before the lock
+  EXPECT_TRUE(fs::exists(folder_));  // the folder existed before the lock
 }
 
 TEST_F(FolderLock, AFolderWithAReportStays) {

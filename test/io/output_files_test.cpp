@@ -1,4 +1,4 @@
-// Commands overwrite no input under any name, write no file twice, and replace files of another kind only with --force.
+// Commands never overwrite an input, write each file once, and replace files of another kind only with --force.
 #include "io/output_files.h"
 
 #include "rubber_suspension/io/component_file.h"
@@ -19,7 +19,7 @@ class CheckOutputs : public ::testing::Test {
     return path(name);
   }
 
-  // Returns the refusal of outputs together with an input; empty if they are accepted.
+  // Returns the refusal of outputs beside an input, or an empty string if they are accepted.
   static std::string refusal(const std::string& input, const std::vector<io::OutputFile>& outputs, bool force = false) {
     return messageOf<io::OutputRefused>([&] { io::checkOutputs({{"--log", input}}, outputs, force); });
   }
@@ -65,7 +65,7 @@ TEST_F(CheckOutputs, RefusesTwoOutputsThatAreOneFile) {
   };
   EXPECT_THAT(both("a.svg", "a.svg"), HasSubstr("--plot and --output"));
   EXPECT_THAT(both("a.svg", "./x/../a.svg"), HasSubstr("the same file as"));
-  EXPECT_THAT(both("a.svg", "A.SVG"), HasSubstr("the same file as"));  // on a file system that ignores case
+  EXPECT_THAT(both("a.svg", "A.SVG"), HasSubstr("the same file as"));  // the same file if the file system ignores case
   fs::create_symlink("a.svg", path("dangling.svg"));
   EXPECT_THAT(both("a.svg", "dangling.svg"), HasSubstr("the same file as"));
   EXPECT_EQ(both("a.svg", "b.svg"), "");
@@ -127,7 +127,7 @@ TEST_F(CheckOutputs, TellsTheKindsByTheirContent) {
     }
   }
   EXPECT_TRUE(io::isOfKind(file("example", "\x89PNG\r\n\x1a\n"), io::file_kind::figure));
-  // A log with another column is a measurement, not an output of the command.
+  // A log with an additional column is a measurement, not an output of the command.
   EXPECT_FALSE(io::isOfKind(file("example", "time_s,displacement_mm,force_kN\n"), io::file_kind::force_csv));
   EXPECT_FALSE(io::isOfKind(file("example", "my components: a, b\n"), io::file_kind::component_file));
 }
@@ -167,7 +167,7 @@ TEST(MakeRunFolder, LeavesARunThatIsStillBeingWritten) {
   const TemporaryFile file(".bush_force.Ab12Cd.csv", "");
   EXPECT_EQ(io::makeRunFolder(file.folder(), {"bush_force.csv"}), file.folder() + "_2");
   fs::remove_all(file.folder() + "_2");
-  EXPECT_EQ(io::makeRunFolder(file.folder(), {"left_force.csv"}), file.folder());  // of another component
+  EXPECT_EQ(io::makeRunFolder(file.folder(), {"left_force.csv"}), file.folder());  // another component's
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Long work shows its progress on a terminal, and nowhere else.
+// Long work shows its progress only if stderr is a terminal.
 #include "io/progress.h"
 
 #include <fcntl.h>
@@ -18,7 +18,7 @@ void putInPlaceOfStderr(int descriptor) {
   dup2(descriptor, STDERR_FILENO);
 }
 
-// Returns what the work writes to stderr if that is a terminal.
+// Returns what the work writes to stderr if stderr is a terminal.
 std::string shownOnTerminal(const std::function<void()>& work) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) {

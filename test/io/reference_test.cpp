@@ -1,4 +1,4 @@
-// The reference page in docs/ is the output of the code, and the pages of theory describe every element on it.
+// The reference page in docs/ equals the output of the code, and the theory describes every element on that page.
 #include "io/reference.h"
 
 #include "rubber_suspension/element/catalogue.h"
@@ -13,7 +13,7 @@ TEST(ParameterReference, IsThePageInDocs) {
       << "after a change of a table: rosrun rubber_suspension reference > docs/parameters.md";
 }
 
-// A page of theory describes the law of every element that a file may name.
+// The theory describes the law of every element that a component file may contain.
 TEST(Theory, KnowsEveryElement) {
   const std::string pages = pageInDocs("elements") + pageInDocs("theory");
   for (const element::ElementType& type : element::elementTypes()) {

@@ -1,4 +1,4 @@
-// Tolerances of a rig: text with units or shares, options and component files, refusals.
+// Tolerances of a rig: texts with units or shares, options, component files, refusals.
 #include "rubber_suspension/io/rig_tolerances.h"
 
 #include "rubber_suspension/io/component_file.h"

@@ -1,4 +1,4 @@
-// SHA-256 against the examples of its standard.
+// SHA-256 agrees with the examples of its standard.
 #include "io/sha256.h"
 
 #include "support/scratch_folder.h"
@@ -7,7 +7,7 @@
 namespace rubber_suspension {
 namespace {
 
-// Examples of NIST for FIPS 180-4.
+// These are examples of NIST for FIPS 180-4.
 TEST(Sha256, OfTheExamplesOfItsStandard) {
   EXPECT_EQ(io::sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(io::sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
@@ -15,7 +15,7 @@ TEST(Sha256, OfTheExamplesOfItsStandard) {
 }
 
 TEST(Sha256, OfAFileIsThatOfItsContent) {
-  const std::string text(1000000, 'a');  // longer than the buffer that reads it
+  const std::string text(1000000, 'a');  // longer than the read buffer
   const TemporaryFile file("file", text);
   const io::FileHash hash = io::hashFile(file.path());
   EXPECT_EQ(hash.sha256, io::sha256(text));

@@ -1,4 +1,4 @@
-// Component files of six directions: accepted keys, refusals, and that they read back.
+// Component files of six directions: accepted keys, refusals, and reading back what was written.
 #include "rubber_suspension/io/component_file.h"
 #include "support/test.h"
 
@@ -68,7 +68,7 @@ TEST(SixDirectionsFile, LoadsAll) {
   EXPECT_EQ(six.factorOf(component::kRy), 1.0);
   const component::SixDirections bush = six.makeComponent();
   EXPECT_NEAR(bush.laws().elements[component::kRx][0].value("stiffness"), 1125.0, 1e-9);
-  // Code for one direction must not treat the description as a component without elements.
+  // Code for a single direction must not mistake the description for a component without elements.
   EXPECT_THROW(description.makeComponent(), std::invalid_argument);
 }
 
@@ -78,7 +78,7 @@ TEST(SixDirectionsFile, ReadsBackWhatItWrites) {
   EXPECT_NE(text.find("# [N m/rad]"), std::string::npos);
 }
 
-// A preload is the operating point on a static curve: the tangent is 3 kN/mm at 1.5 mm, and 2 kN/mm at 0.5 mm.
+// The preload is the operating point on the static curve, whose tangent is 3 kN/mm at 1.5 mm and 2 kN/mm at 0.5 mm.
 TEST(SixDirectionsFile, PreloadsTheSpecification) {
   const std::string curve =
       "    directions: {z: {model: kelvin_voigt, specification: {static_curve: {displacement: [0, 1 mm, 2 mm], force: "

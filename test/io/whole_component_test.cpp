@@ -1,4 +1,4 @@
-// Specifications of whole components, static curves, preloads and points in a component file; merge keys.
+// Specifications of whole components, static curves, preloads and operating points in component files, and merge keys.
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/gap/replay.h"
 #include "rubber_suspension/io/component_file.h"
@@ -73,7 +73,7 @@ TEST(OfRig, IsRefusedInOneLine) {
       HasSubstr("of_rig: '3'; accepted: false or true"));
 }
 
-// The data sheet describes the rubber alone, without elements of the rig.
+// The data sheet describes the rubber alone, without the elements of the rig.
 TEST(OfRig, IsNoPartOfTheWholeThatASheetDescribes) {
   const io::ComponentDescription alone = load(kWhole);
   const io::ComponentDescription on_a_rig = load(
@@ -81,7 +81,7 @@ TEST(OfRig, IsNoPartOfTheWholeThatASheetDescribes) {
   EXPECT_EQ(on_a_rig.elements(), alone.elements());
 }
 
-// The written file has base values that estimate the same elements: forces agree to 1e-9.
+// The written file has base values that estimate the same elements, so forces agree to 1e-9.
 TEST(WholeComponentFile, IsWrittenAsABase) {
   const io::ComponentDescription whole = load(kWhole);
   EXPECT_EQ(whole.written().at("dynamic_stiffness"), 5e6);
@@ -105,7 +105,7 @@ TEST(WholeComponentFile, WithoutASolutionNamesItInTheUnitsOfTheUser) {
   EXPECT_THAT(refusal,
               HasSubstr("file.yaml:7: component 'bush': specification.dynamic_stiffness: 4.2 kN/mm cannot be"));
   EXPECT_THAT(refusal, HasSubstr("dynamic_stiffness in (4.33623, 6.08374) kN/mm"));
-  // The specification that the error names as nearest can be pasted, and has a solution.
+  // The error proposes the nearest specification with a solution. It can be pasted into the file.
   const std::string nearest = "nearest: specification: {";
   const std::size_t begin = refusal.find(nearest) + nearest.size();
   const std::string pasted = refusal.substr(begin, refusal.find('}', begin) - begin);
@@ -120,7 +120,7 @@ const char* const kCurve = R"(      static_curve:
         force: [0 kN, 5 kN, 11 kN, 19 kN, 30 kN, 45 kN]
 )";
 
-// The curve is the absolute static force; K_st is its tangent at the nominal force, at a point the mean of both sides.
+// The curve is the absolute static force. K_st is its tangent at the nominal force, at a point the mean of both sides.
 TEST(StaticCurveFile, IsTheForceAtRest) {
   const io::ComponentDescription component =
       load(std::string("    model: maxwell\n    specification:\n") + kCurve +
@@ -136,7 +136,7 @@ TEST(StaticCurveFile, IsTheForceAtRest) {
   EXPECT_EQ(io::toYaml(io::parseComponentFile(io::toYaml({component}), "again.yaml")), io::toYaml({component}));
 }
 
-// In small oscillations about any preload, K is proportional to the tangent, and the loss angle is constant.
+// For small oscillations about any preload, stiffness is proportional to the tangent and the loss angle is constant.
 TEST(StaticCurveFile, KeepsTheLossAngleUnderPreload) {
   const io::ComponentDescription component =
       load(std::string("    model: maxwell\n    specification:\n") + kCurve +
@@ -151,7 +151,7 @@ TEST(StaticCurveFile, KeepsTheLossAngleUnderPreload) {
   }
 }
 
-// Degressive and falling curves are accepted as springs; elements scaled along a falling curve would create energy.
+// Degressive and falling curves are accepted as springs. Elements scaled along a falling curve would create energy.
 TEST(StaticCurveFile, MayFallWhereNothingScales) {
   const std::string falling =
       "    model: maxwell\n    specification:\n      static_curve: {displacement: [-0.01, 0.0, 0.01, 0.02], force: "
@@ -177,14 +177,14 @@ TEST(StaticCurveFile, ScalesSlidersWhereAsked) {
               HasSubstr("friction.scale_with: cannot scale with a curve"));
 }
 
-// Each block of a data sheet has its K_n at its own preload; between the blocks, K_n lies between both.
+// Each block of the sheet has its own preload and dynamic stiffness. In between, the stiffness lies between the two.
 TEST(PreloadsFile, MeetEachBlock) {
   const io::ComponentDescription component =
       load(std::string("    model: multi_maxwell\n    specification:\n") + kCurve +
            "      nominal_frequency: 10\n      high_frequency: 60\n      low_frequency: 0.5\n      preloads:\n"
            "        - {nominal_displacement: 2.5 mm, dynamic_stiffness: 1.3 kN/mm, maximum_stiffness: 1.6 kN/mm}\n"
            "        - {nominal_displacement: 17.5 mm, dynamic_stiffness: 3.3 kN/mm, maximum_stiffness: 4.4 kN/mm}\n");
-  // k_j are odd about a block, so the stiffness of a small loop there is their mean up to second order.
+  // The stiffness of the branches is an odd function about a preload, so a small loop has its mean up to second order.
   EXPECT_NEAR(at(component, 10.0, 1e-5, 2.5e-3).stiffness, 1.3e6, 1.3e3);
   EXPECT_NEAR(at(component, 10.0, 1e-5, 17.5e-3).stiffness, 3.3e6, 3.3e3);
   const double between = at(component, 10.0, 1e-5, 12.5e-3).stiffness;

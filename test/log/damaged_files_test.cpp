@@ -1,4 +1,4 @@
-// MATLAB and HDF5 files that are truncated, altered, or refer to other files are refused and never read as zeros.
+// MATLAB and HDF5 files that are truncated, altered, or refer to other files are refused. They are never read as zeros.
 #include <hdf5.h>
 #include <zlib.h>
 
@@ -15,13 +15,13 @@ class MatBytes {
  public:
   static std::string header() {
     std::string text(116, ' ');
-    text.resize(128, '\0');  // no subsystem-specific data
+    text.resize(128, '\0');  // a header without subsystem-specific data
     text.replace(0, 19, "MATLAB 5.0 MAT-file");
     text.replace(124, 4, std::string("\x00\x01IM", 4));
     return text;
   }
 
-  // Data of at most four bytes are stored within the tag.
+  // Stores data of at most four bytes within the tag, as the format prescribes.
   static std::string element(std::uint32_t type, const std::string& data) {
     const auto size = static_cast<std::uint32_t>(data.size());
     const bool small = size > 0 && size <= 4;
@@ -45,7 +45,7 @@ class MatBytes {
     return matrix(4, 1, static_cast<std::uint32_t>(value.size()), name, element(16, value));
   }
 
-  // A struct or a row of structs; `values` contains the fields of each struct in turn.
+  // Returns a struct or a row of `count` structs. `values` contains the fields of each struct in turn.
   static std::string structure(const std::string& name, const std::vector<std::string>& fields, std::uint32_t count,
                                const std::string& values) {
     std::string names;
@@ -86,7 +86,7 @@ const std::vector<double> kTimes = valuesOf([](double i) { return 0.01 * i; });
 const std::vector<double> kMillimetres = valuesOf([](double i) { return std::sin(0.1 * i); });
 const std::vector<double> kNewtons = valuesOf([](double i) { return 500.0 * std::sin(0.1 * i); });
 
-// The columns of a log, each encoded by `wrap`.
+// Returns the columns of a log, each encoded by `wrap`.
 template <class Wrap>
 std::string columns(const Wrap& wrap) {
   return wrap(MatBytes::numbers("time_s", kTimes)) + wrap(MatBytes::numbers("displacement_mm", kMillimetres)) +
@@ -99,7 +99,7 @@ std::string plainMat() {
 
 std::string compressedMat() { return MatBytes::header() + columns(MatBytes::compressed); }
 
-// A scope of Simulink as it is saved: structs within a struct, identified by their labels.
+// Returns a scope as Simulink saves it: structs within a struct, identified by their labels.
 std::string scopeMat() {
   const std::vector<std::string> fields = {"values", "label"};
   const std::string signals =
@@ -145,7 +145,7 @@ std::string zipped(const std::string& text) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-// Files of some kilobytes whose content would take gigabytes of memory, or minutes to read.
+// These files of some kilobytes have contents that would take gigabytes of memory, or minutes to read.
 constexpr std::size_t kBeyond = 65UL * 1024 * 1024;  // bytes; more than is decompressed without --large
 
 TEST(PackedFile, OfFarMoreThanItsSizeIsRefusedUnlessTheUserWantsIt) {
@@ -183,7 +183,7 @@ TEST(PackedFile, OfMatlabIsRefusedByWhatItClaims) {
   log::LogFormat format;
   format.large = true;
   expectChannels(readText(bytes, format, "log.mat"));
-  // The matrix has smaller dimensions than its data.
+  // The dimensions of the matrix are smaller than its data.
   const std::string few = MatBytes::matrix(6, 1, 1, "a", MatBytes::element(9, std::string(kBeyond, '\0')));
   EXPECT_THAT(refusalOfMat(MatBytes::header() + MatBytes::compressed(few)), HasSubstr("more data than the matrix has"));
 }
@@ -191,7 +191,7 @@ TEST(PackedFile, OfMatlabIsRefusedByWhatItClaims) {
 TEST(MatFile, IsRefusedWhereverItIsCut) {
   std::mt19937 random(3);
   for (const std::string& bytes : {plainMat(), compressedMat(), scopeMat()}) {
-    // A file that is cut between two variables is a complete file with fewer variables.
+    // Only a cut exactly between two variables would give a valid file, with fewer variables.
     for (int i = 0; i < 150; ++i) {
       const std::size_t size = std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random);
       EXPECT_NE(refusalOfMat(bytes.substr(0, size)), "") << size << " of " << bytes.size();
@@ -217,7 +217,7 @@ TEST(MatFile, NamesTheTableThatItCannotRead) {
               testing::AllOf(HasSubstr("run (table)"), HasSubstr("writetable(NAME, 'LOG.csv')")));
 }
 
-// A file written by libhdf5, which is closed before it is read.
+// Creates a file with libhdf5, and closes the file before it is read.
 class Hdf5 {
  public:
   Hdf5() : file_(H5Fcreate(temporary_.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
@@ -238,7 +238,7 @@ class Hdf5 {
     H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   }
 
-  // Without values, a dataset is created and no data are written.
+  // Creates a dataset. If `values` is null, no data are written.
   void write(const std::string& name, hid_t type, const std::vector<hsize_t>& size, const void* values,
              hid_t properties = H5P_DEFAULT) const {
     const hid_t space = H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr);
@@ -286,7 +286,7 @@ TEST(Hdf5File, OfGroupsWithALogEachHoldsSegments) {
   EXPECT_EQ(log::readLogs(file.path(), byOption("--segment", "all")).size(), 2U);
 }
 
-// Converters of MDF files write a group for each rate; each group has its own time.
+// Converters of MDF files write a group for each rate. Each group has a time of its own.
 TEST(Hdf5File, OfGroupsOfTwoRatesIsOneLog) {
   Hdf5 file;
   std::vector<double> values(100);
@@ -308,7 +308,7 @@ TEST(Hdf5File, OfGroupsOfTwoRatesIsOneLog) {
   EXPECT_EQ(log.counts[97], 0.0);
 }
 
-// A group without a time uses the time of the displacement.
+// A group without a time of its own uses the time of the displacement.
 TEST(Hdf5File, OfColumnsOfTwoLengthsIsRefused) {
   Hdf5 file;
   file.dataset("time_s", std::vector<double>(100, 1.0));
@@ -341,7 +341,7 @@ TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {
   EXPECT_EQ(log.force[7], kNewtons[7]);
 }
 
-// Returns the refusal of a log whose force is a dataset with these properties and without data of its own.
+// Returns the refusal of a log whose force is a dataset with these properties and without any data.
 std::string refusalWhereTheForceHas(const std::function<void(hid_t)>& properties) {
   Hdf5 file;
   file.dataset("time_s", kTimes);

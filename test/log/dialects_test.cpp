@@ -1,13 +1,13 @@
-// Logs as instruments and spreadsheets write them, drawn at random: separator, decimal mark, thousands separators,
-// units in the header, in a row of their own below brackets or in the preamble, a time as a number, a clock or a date,
-// several logs in one file, headers that repeat within a log, missing cells, statistics below the data.
+// Logs as instruments and spreadsheets write them, drawn at random: separators, decimal and thousands marks, units in
+// the header, in a row below or in the preamble, times as numbers, clocks or dates, several logs in one file, repeated
+// headers, missing cells, statistics below the data.
 #include "log/read_text.h"
 #include "support/test.h"
 
 namespace rubber_suspension {
 namespace {
 
-// Numbers are whole thousandths, so that their text is exact.
+// All numbers are multiples of a thousandth, so that their text is exact.
 struct Sample {
   std::int64_t time_ms;
   std::int64_t displacement_um;
@@ -31,7 +31,7 @@ class Draw {
   std::mt19937 random_;
 };
 
-// A file and its content.
+// Draws a file and its content.
 class Dialect {
  public:
   explicit Dialect(unsigned seed) : draw_(seed) {
@@ -65,7 +65,7 @@ class Dialect {
   TimeStyle style() const { return style_; }
 
  private:
-  static constexpr std::int64_t kBeforeMidnight = 86399000;  // [ms] of a day
+  static constexpr std::int64_t kBeforeMidnight = 86399000;  // time of day [ms]
 
   void addSegment() {
     if (!logs_.empty()) {
@@ -164,7 +164,7 @@ class Dialect {
     return style_ == TimeStyle::clock ? clock : fmt::format("{:02d}.03.2025 {}", day, clock);
   }
 
-  // Formats thousandths with three digits after the decimal mark and, if drawn, thousands separators.
+  // Formats a number given in thousandths with three decimals and, if drawn, with thousands marks.
   std::string numberText(std::int64_t thousandths) const {
     const std::int64_t whole = std::abs(thousandths) / 1000;
     std::string digits = std::to_string(whole);
@@ -180,12 +180,12 @@ class Dialect {
   char separator_ = ';';
   char decimal_ = '.';
   bool thousands_ = false;
-  std::string group_mark_;  // empty: the dot or comma that is not the decimal mark
+  std::string group_mark_;  // if empty, it is the dot or comma that is not the decimal mark
   bool quotes_ = false;
   bool units_row_ = false;
   bool trailing_ = false;
-  bool brackets_ = false;    // in names; they contain no unit
-  bool statistics_ = false;  // below the data
+  bool brackets_ = false;    // brackets in the names, without a unit
+  bool statistics_ = false;  // statistics below the data
   int buffer_ = 0;           // number of rows after which the header repeats; 0: never
   int preamble_ = 0;
   std::size_t repeats_ = 0;
@@ -200,7 +200,7 @@ void expectLog(const log::Log& log, const std::vector<Sample>& samples, const Di
   ASSERT_EQ(log.size(), samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(log.stamp[i] - log.stamp[0], (samples[i].time_ms - samples[0].time_ms) * 1000000);
-    // The decimal number and its unit are each rounded.
+    // Both the decimal number and its unit are rounded.
     EXPECT_NEAR(log.displacement[i], 1e-6 * static_cast<double>(samples[i].displacement_um), 1e-17);
     EXPECT_EQ(log.counts.empty() || log.counts[i] > 0.0, samples[i].has_force);
     if (samples[i].has_force) {
@@ -235,7 +235,7 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
       format.segment = log::kAllSegments;
     }
     EXPECT_EQ(repeats, dialect.repeats());
-    EXPECT_EQ(noted, dialect.leftOut());  // each log has at most one such note
+    EXPECT_EQ(noted, dialect.leftOut());  // a log has at most one such note
     if (logs.size() > 1) {
       EXPECT_THROW(log::readLog(file.path()), log::LogError);
     } else {
@@ -255,7 +255,7 @@ TEST(Advice, SettlesWhetherMarksAreThousands) {
   EXPECT_EQ(readText(text, byOption("--decimal", ",")).force[2], 1000.0);
 }
 
-// A decimal mark that other columns determine holds for all, unless a smooth channel would then jump.
+// If only some columns determine the decimal mark, it applies to all columns, unless a smooth channel would then jump.
 TEST(Advice, LeavesTheMarkToTheOtherColumns) {
   const std::string head = "Time [s];Travel [mm];Force [N]\n";
   EXPECT_EQ(readText(head + "0,005;1,25;998\n0,010;1,5;1.002\n", {}).force[1], 1002.0);
@@ -270,7 +270,7 @@ TEST(Advice, LeavesTheMarkToTheOtherColumns) {
             1002.0);
 }
 
-// A decimal mark that a late number determines also holds for earlier numbers.
+// A decimal mark applies to all numbers of a column, even if only a late number determines it.
 TEST(Advice, ReadsAgainWhereALateNumberTellsTheMark) {
   EXPECT_EQ(readText("Time [s];Travel [um]\n1;1.250\n2;1.500\n3;2,5\n", {}).displacement[0], 1250e-6);
 }
@@ -291,7 +291,7 @@ TEST(Advice, ReplacesStampsThatAreEqualSwappedOrRounded) {
   }
 }
 
-// The clock shows whole seconds; the recording begins and ends within one.
+// The clock shows whole seconds. The recording begins and ends within a second.
 TEST(Advice, CountsTheRowsOfWholeSeconds) {
   std::string text = "Timestamp,displacement_mm,force_N\n";
   for (int i = 0; i < 2000; ++i) {
@@ -331,7 +331,7 @@ TEST(Advice, NamesTheSegments) {
   EXPECT_EQ(readText(text, byOption("--segment", "2")).displacement[0], 3e-3);
 }
 
-// A file of LabVIEW, whose X_Value is in seconds.
+// In a file of LabVIEW the column X_Value is a time in seconds.
 TEST(Advice, NamesTheSegmentsOfAFormatThatDefinesItsTime) {
   std::string text;
   for (int segment = 1; segment <= 2; ++segment) {
@@ -435,8 +435,8 @@ TEST(Header, ThatAnErrorListsStandsAboveTheNumbers) {
               HasSubstr("accepted: --unit time=ns"));
 }
 
-// Logs with a header for each buffer are one log if time continues at the same step, but several if time restarts or
-// pauses.
+// Some logs repeat the header for each buffer. They are one log if the time continues with the same step, and several
+// logs if the time restarts or pauses.
 TEST(Segments, AreNoneWhereAHeaderRepeatsAndTimeContinues) {
   const std::string head = "Running Time\tAxial Displacement\tAxial Force\nSec\tmm\tkN\n";
   const auto rows = [](int first, int count) {
@@ -477,7 +477,7 @@ TEST(Rows, OfStatisticsBelowTheDataAreLeftOut) {
   EXPECT_THAT(refusalOf(data + "Min\t-2.0\t-2700\n3\t1\t2\n"),
               HasSubstr(":5: there is a row of statistics with data below it"));
   EXPECT_THAT(refusalOf(data + "end of test\t1\t2\n"), HasSubstr("'end of test' is not a number"));
-  // Words in all rows do not mark statistics.
+  // Words that appear in every row do not mark rows of statistics.
   EXPECT_EQ(readText("Peak,time_s,displacement_mm\nmax,0,1\nmin,1,-1\nmax,2,1\n").size(), 3U);
 }
 
@@ -490,7 +490,7 @@ TEST(Numbers, HaveSignsApartFromTheirDigits) {
   }
 }
 
-// The names are Japanese for "time", "displacement" and "load" in Shift-JIS.
+// The column names are Japanese for "time", "displacement" and "load" in Shift-JIS.
 TEST(Names, OfJapaneseInstrumentsAreShownAsTheyAre) {
   const std::string text = "\x8E\x9E\x8A\xD4[s],\x95\xCF\x88\xCA[mm],\x89\xD7\x8F\x64[N]\n0,1,2\n1,2,3\n";
   EXPECT_THAT(readText(text).notes.front(),
@@ -513,7 +513,7 @@ TEST(Times, AreReadWithZoneMidnightAndDays) {
   EXPECT_THAT(refusalOf("Time;Travel [mm]\n1;1\n2;2\n"), HasSubstr("--unit time=UNIT"));
 }
 
-// LabVIEW's own files have a column of comments, which is empty in most rows.
+// Files of LabVIEW itself have a last column of comments, which is empty in most rows.
 TEST(Dialects, OfLabViewHaveCommentsBehindTheRows) {
   const std::string preamble =
       "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\n***End_of_Header***\t\n\t\nChannels\t2\t\t\n"

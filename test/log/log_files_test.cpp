@@ -1,6 +1,6 @@
-// Logs as rigs and spreadsheets write them. X.expected lists for good_logs/X the options, the notes, and a line "stamp
-// [ns], displacement [m], force [N]" per sample. X.error contains for bad_logs/X.csv the beginning of its error, after
-// the file's name and a colon.
+// Logs as rigs and spreadsheets write them. For good_logs/X, the file X.expected has the options, the notes, and a line
+// "stamp [ns], displacement [m], force [N]" per sample. For bad_logs/X.csv, the file X.error has the beginning of its
+// error, without the file's name and the colon behind it.
 #include <sys/stat.h>
 
 #include "log/text.h"
@@ -26,7 +26,7 @@ struct Expected {
   std::vector<double> force;
 };
 
-// "--columns time=a b displacement=c --unit mm": a word without a dash or an equals sign continues the word before it.
+// Parses options: words without a dash or an equals sign belong to the word before, as in "--columns time=a b".
 log::LogFormat formatOf(const std::string& options) {
   std::vector<std::string> columns;
   std::string unit;
@@ -108,7 +108,7 @@ TEST_P(BadLog, IsRefusedWithItsError) {
   EXPECT_THAT(text, StartsWith(GetParam() + ":" + expected));
   EXPECT_THAT(text, HasSubstr("accepted"));
   EXPECT_LT(text.size(), GetParam().size() + 1000);
-  // A terminal must not receive control characters.
+  // Messages go to a terminal, so they must not contain control characters.
   EXPECT_TRUE(std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; })) << text;
   EXPECT_TRUE(log::isUtf8(text));
   EXPECT_EQ(log::oneLine(text), text);

@@ -1,4 +1,4 @@
-// Logs that are read block by block.
+// Logs read block by block are the same as logs read as a whole.
 #include "rubber_suspension/log/log_source.h"
 
 #include <hdf5.h>
@@ -79,7 +79,7 @@ TEST(LogSource, GivesAFileAsReadLogDoes) {
   }
 }
 
-// One-dimensional datasets and the columns of a matrix; both are too long to be kept in memory.
+// One-dimensional datasets and the columns of a matrix are both too long to be kept in memory.
 TEST(LogSource, GivesAnHdf5FileAsReadLogDoes) {
   const Log log = sine(kLong);
   const TemporaryFile file("log.h5", "");
@@ -105,7 +105,7 @@ TEST(LogSource, GivesAnHdf5FileAsReadLogDoes) {
   }
 }
 
-// The file has units, a comment, and no time; notes are the same as those of readLog().
+// The file has units and a comment, but no time. Its notes must equal those of readLog().
 TEST(LogSource, GivesALongForeignFileAsReadLogDoes) {
   std::string text = "Weg [mm];Kraft [kN]\n";
   for (std::size_t i = 0; i < kLong; ++i) {
@@ -133,7 +133,7 @@ TEST(LogSource, IsReadNoFurtherThanAskedFor) {
   EXPECT_EQ(blocks, 2U);
 }
 
-// A sine whose samples are a millisecond apart, except for a pause.
+// Returns a sine with samples 1 ms apart and one pause.
 Log withPause(std::size_t before, std::size_t after, std::int64_t pause) {
   Log log = sine(before + after);
   for (std::size_t i = before; i < log.size(); ++i) {
@@ -143,7 +143,7 @@ Log withPause(std::size_t before, std::size_t after, std::int64_t pause) {
 }
 
 TEST(GapBetweenStamps, BeginsAnewAndIsNotFilled) {
-  const Log log = withPause(5000, 3000, 1000000LL * 1000000000);  // 1e6 s
+  const Log log = withPause(5000, 3000, 1000000LL * 1000000000);  // a pause of 1e6 s
   EXPECT_EQ(log::stretchesOf(log), (std::vector<std::size_t>{0, 5000}));
   EXPECT_THROW(log::evenRecord(log), log::LogError);
   log::TimeSteps steps;
@@ -163,7 +163,7 @@ TEST(GapBetweenStamps, BeginsAnewAndIsNotFilled) {
   EXPECT_EQ(samples, log.size());
   ASSERT_EQ(gaps.size(), 2U);
   EXPECT_EQ(gaps[0], 0.0);
-  // The gap is measured between samples at even steps, which equal those of the log up to the jitter.
+  // The pause is measured between samples at even steps, whose times equal the stamps up to the jitter.
   EXPECT_NEAR(gaps[1], 1e-9 * static_cast<double>(log.stamp[5000] - log.stamp[4999]), 0.02 * even.dt);
 }
 
@@ -172,7 +172,7 @@ TEST(GapBetweenStamps, ShortDropoutsAreNone) {
   EXPECT_EQ(log::stretchesOf(sine(2)).size(), 1U);
 }
 
-// 20,000 samples are 10 ns apart and 11,000 are 2 ms apart, which would be 2.2e9 samples at even steps of 10 ns.
+// 20,000 samples are 10 ns apart and 11,000 are 2 ms apart. Resampling at even steps of 10 ns would give 2.2e9 samples.
 TEST(GapBetweenStamps, DenseSamplesAmongOthersTakeNoMemory) {
   Log log = sine(31000);
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -182,7 +182,7 @@ TEST(GapBetweenStamps, DenseSamplesAmongOthersTakeNoMemory) {
   EXPECT_LE(log::evenRecord(log).size(), 2 * 31000 + 1);
 }
 
-// Samples at even steps of the logarithm of time, as in creep tests, have steps that grow to hours without a gap.
+// In a creep test, steps that are even in the logarithm of time grow to hours. They are no time gaps.
 TEST(GapBetweenStamps, StepsThatGrowAreNone) {
   Log log = sine(400);
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -204,7 +204,7 @@ TEST(EvenBlocks, AreThoseOfARecord) {
     });
     const log::EvenSteps even = steps.evenSteps();
     EXPECT_EQ(even.as_recorded, uneven < 0.01);
-    // Random steps are counted in at most 16,384 classes, which are up to 64 ns wide here.
+    // Random steps are sorted into at most 16,384 classes, which are up to 64 ns wide here.
     EXPECT_NEAR(even.dt, record.dt, uneven < 0.01 ? 0.0 : 64e-9);
     std::vector<double> displacement;
     std::vector<double> force;
@@ -224,8 +224,8 @@ TEST(EvenBlocks, AreThoseOfARecord) {
       EXPECT_EQ(force, log.force);
       continue;
     }
-    // The bounds are the errors A (6 h)^2 / 8 of linear interpolation of a sine between samples of h = 1.6 ms at most,
-    // and that of the cosine.
+    // The bounds are the errors A (w h)^2/8 of linear interpolation for amplitude A, angular frequency w and a step h
+    // of at most 1.6 ms.
     for (std::size_t i = 0; i < displacement.size(); ++i) {
       const double time = even.dt * static_cast<double>(i) + 1e-9 * static_cast<double>(log.stamp.front());
       ASSERT_NEAR(displacement[i], 1e-3 * std::sin(6.0 * time), 1e-3 * std::pow(6.0 * 1.6e-3, 2) / 8.0) << i;

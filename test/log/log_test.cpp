@@ -1,4 +1,4 @@
-// Reading and writing of CSV logs: accepted ones agree to the last bit; refused ones are reported with line and reason.
+// Reading and writing CSV logs: values agree to the last bit, and refusals state the line and the reason.
 #include "rubber_suspension/log/log.h"
 
 #include <time.h>
@@ -16,11 +16,11 @@ namespace {
 void expectNear(const std::vector<double>& values, const std::vector<double>& expected) {
   ASSERT_EQ(values.size(), expected.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    EXPECT_DOUBLE_EQ(values[i], expected[i]) << "sample " << i;  // the conversion of units rounds several times
+    EXPECT_DOUBLE_EQ(values[i], expected[i]) << "sample " << i;  // a conversion of units rounds several times
   }
 }
 
-// Checks the log that is read from a text; its notes begin with `notes`.
+// Checks the log that is read from a text, and that its notes begin with `notes`.
 void expectRead(const std::string& name, const std::string& text, const log::LogFormat& format,
                 const std::vector<std::int64_t>& stamp, const std::vector<double>& displacement,
                 const std::vector<double>& force, const std::vector<std::string>& notes) {
@@ -48,7 +48,7 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
              {0.5, -0.5}, {}, {});
   expectRead("ALastLineWithoutEnd", "time_s,displacement_m\n0,0\n1,0.25", {}, {0, 1000000000}, {0.0, 0.25}, {},
              {"the last line, 3, has no line end; it may have been cut off"});
-  // The last stamp is a time since 1970, which a double would represent with an error of up to 119 ns.
+  // The last stamp is a time since 1970. A double would represent it with an error of up to 119 ns.
   expectRead("TimeToTheNearestNanosecond",
              "time_s,displacement_m\n-0.5,0\n0.0000000014,0\n3.3333333335,0\n1732190400.123456789,0\n", {},
              {-500000000, 1, 3333333334, 1732190400123456789}, {0.0, 0.0, 0.0, 0.0}, {}, {});
@@ -93,7 +93,7 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
   expectRead("AUnitInPlaceOfSomeNames", "ms,Position (mm),kN\n0,1,2\n4.5,2,3\n",
              byColumns({"time=1", "displacement=2", "force=3"}), {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0},
              {"time from 'ms'"});
-  // A unit of another quantity is a name.
+  // Here "s" is the name of a displacement, not the unit of a time.
   expectRead("ASecondThatIsADisplacement", "t,s\n0,1\n4.5,2\n", byColumns({"time=t", "displacement=s"}),
              {0, 4500000000}, {1.0, 2.0}, {}, {"time from 't'", "", ""});
 }
@@ -146,14 +146,14 @@ TEST(ReadCsvLog, NamesAFileThatCannotBeRead) {
   EXPECT_THROW(log::readCsvLog("/"), log::LogError);
 }
 
-// Processor time of this thread [s], which excludes that of other programs.
+// Returns the processor time of this thread [s], which excludes other programs.
 double processorTime() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// The shortest of five attempts, because the machine may be busy.
+// Returns the shortest time of five attempts [s], because other programs may slow down an attempt.
 double shortestTime(const std::function<void()>& work) {
   double shortest = std::numeric_limits<double>::infinity();
   for (int attempt = 0; attempt < 5; ++attempt) {
@@ -164,7 +164,7 @@ double shortestTime(const std::function<void()>& work) {
   return shortest;
 }
 
-// The sum of all numbers of a text, read by the C library.
+// Returns the sum of all numbers in a text, parsed by the C library.
 double sumOfNumbers(const std::string& text) {
   double sum = 0.0;
   for (const char* at = text.c_str(); *at != '\0';) {
@@ -175,8 +175,8 @@ double sumOfNumbers(const std::string& text) {
   return sum;
 }
 
-// Rows of 17 digits: no user should have to wait for the reader. It takes about as long as the C library takes for the
-// numbers alone; the limit is three times that, for machines with shared cores.
+// Reading rows of 17 digits takes about as long as parsing their numbers with the C library. The limit is three times
+// that, because other programs may share the processor cores.
 TEST(ReadCsvLog, Reads130000RowsAboutAsFastAsTheirNumbers) {
   std::string text;
   std::mt19937 random(1);

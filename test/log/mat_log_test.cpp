@@ -1,5 +1,5 @@
-// Logs from MATLAB files of all levels. SciPy wrote the files in mat_logs/, and libmatio that of level 7.3; all good
-// ones contain time 0, 0.5, 1, 1.5, 2 s, displacement 0, 1, 2, 1, 0 mm and force 0, 3, 6.5, 2.5, -0.5 kN.
+// Logs from MATLAB files of all levels. SciPy wrote the files in mat_logs/, except that libmatio wrote level 7.3. All
+// good files contain time 0, 0.5, 1, 1.5, 2 s, displacement 0, 1, 2, 1, 0 mm and force 0, 3, 6.5, 2.5, -0.5 kN.
 #include "rubber_suspension/log/log.h"
 #include "support/test.h"
 
@@ -30,7 +30,7 @@ TEST(MatLog, NotesWhatItIgnores) {
   EXPECT_THAT(read("columns").notes, ElementsAre("column 'gain' is ignored"));  // text is not a column
 }
 
-// The fields of the file's only struct are a displacement in single precision [cm] and a time in whole seconds.
+// The file contains a struct with a displacement in single precision [cm] and a time in whole seconds.
 TEST(MatLog, FieldsOfAStructWithMapping) {
   const log::LogFormat format =
       log::makeLogFormat({"time=time", "displacement=disp", "force=force"}, "displacement=cm force=N", 0.0);

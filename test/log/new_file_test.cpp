@@ -1,4 +1,4 @@
-// Files are written under another name and renamed: the older file stays whole until the new one is complete.
+// A new file is written under another name and then renamed, so that the older file stays whole until then.
 #include "log/new_file.h"
 
 #include <signal.h>
@@ -99,7 +99,7 @@ TEST(NewFile, NamesWhatCannotBeWritten) {
   }
 }
 
-// Does the work in a child process and returns the status of the child.
+// Runs the work in a child process and returns the exit status of the child.
 int inChild(const std::function<void()>& work) {
   const pid_t child = fork();
   if (child == 0) {
@@ -133,7 +133,7 @@ log::Log longLog() {
   return logOf("", 20000, 1000000, [](int i) { return 1e-3 / 3.0 * i; });
 }
 
-// A limit on the size of files interrupts the writing, as a full disk does.
+// A limit on file sizes interrupts the writing, as a full disk does.
 TEST(NewFile, AFileBeyondTheLimitLeavesTheOlder) {
   const TemporaryFile file("out.csv", "older");
   const int status = inChild([&] {
@@ -147,7 +147,7 @@ TEST(NewFile, AFileBeyondTheLimitLeavesTheOlder) {
   EXPECT_THAT(namesIn(file.folder()), ElementsAre("out.csv"));
 }
 
-// A full file system of 64 KiB, where the test may mount one.
+// The file system of 64 KiB is full. The test is skipped where mounting is not permitted.
 TEST(NewFile, AFullDiskLeavesTheOlder) {
   const TemporaryFile folder("keep", "");
   const std::string disk = folder.folder() + "/disk";

@@ -1,4 +1,4 @@
-// Reads logs from texts for tests, returns their refusals, and applies the options that errors advise.
+// Functions for tests that read logs from texts, return refusals, and apply the options that errors advise.
 #pragma once
 
 #include "rubber_suspension/log/log.h"
@@ -7,14 +7,14 @@
 
 namespace rubber_suspension {
 
-/// Returns the log of a text, which may be bytes of any format.
+/// Returns the log that a text contains. The text may be the bytes of a file of any format.
 inline log::Log readText(const std::string& text, const log::LogFormat& format = {},
                          const std::string& name = "log.csv") {
   const TemporaryFile file(name, text);
   return log::readLog(file.path(), format);
 }
 
-/// Returns the reason why a text is refused; empty if it is accepted.
+/// Returns the reason why a text is refused, or an empty string if it is accepted.
 inline std::string refusalOf(const std::string& text, const log::LogFormat& format = {},
                              const std::string& name = "log.csv") {
   return messageOf<log::LogError>([&] { readText(text, format, name); });
@@ -25,7 +25,7 @@ inline log::LogFormat byColumns(const std::vector<std::string>& columns, const s
   return log::makeLogFormat(columns, units, rate);
 }
 
-/// Returns the format for an option and its value.
+/// Returns the format that one option with this value gives.
 inline log::LogFormat byOption(const std::string& option, const std::string& value) {
   const auto given = [&](const char* name) { return option == name ? value : std::string(); };
   return log::makeLogFormat({}, given("--unit"), option == "--sampling-rate" ? std::stod(value) : 0.0,
@@ -33,7 +33,7 @@ inline log::LogFormat byOption(const std::string& option, const std::string& val
                             given("--sentinel"));
 }
 
-/// Returns the format for an option with the value that an error advises.
+/// Returns the format that one option gives if it has the value that an error advises.
 inline log::LogFormat advised(const std::string& error, const std::string& option) {
   const std::size_t at = error.find(option + " ");
   EXPECT_NE(at, std::string::npos) << error;

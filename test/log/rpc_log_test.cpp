@@ -1,4 +1,4 @@
-// Drive files of RPC III are read back as they were written. good_logs/ and bad_logs/ contain those of other programs.
+// Drive files of RPC III read back as they were written. Those in good_logs/ and bad_logs/ come from other programs.
 #include "log/rpc_log.h"
 
 #include "rubber_suspension/log/log_source.h"
@@ -17,7 +17,7 @@ std::vector<double> sine(std::size_t samples, double amplitude) {
 }
 
 TEST(RpcLog, IsReadBackToSinglePrecision) {
-  constexpr std::size_t kSamples = 2500;  // the third frame of 1024 is incomplete
+  constexpr std::size_t kSamples = 2500;  // the third frame of 1024 samples is incomplete
   const std::vector<double> z = sine(kSamples, 5.0);
   const std::vector<double> force = sine(kSamples, 7.0);
   const TemporaryFile file("drive.drv", log::rpcFile(1.0 / 512.0, {{"displacement", "mm", z}, {"force", "kN", force}}));
@@ -31,7 +31,7 @@ TEST(RpcLog, IsReadBackToSinglePrecision) {
   EXPECT_EQ(log.displacement.back(), log.displacement[kSamples - 1]) << "holds its last value";
 }
 
-// The log is read in blocks of 65,536 samples, which end within groups of the file.
+// The log is read in blocks of 65,536 samples. They do not end at the ends of the groups in the file.
 TEST(RpcLog, IsReadBlockByBlock) {
   const std::vector<double> z = sine(300 * 1024, 5.0);
   const TemporaryFile file("drive.drv", log::rpcFile(1e-3, {{"displacement", "mm", z}}));

@@ -1,5 +1,5 @@
-// Logs whose channels have different rates, with missing cells, codes for missing values, and units as people write
-// them, are read with their numbers, or refused with an option that reads them.
+// Logs with channels of different rates, missing cells, codes for missing values, or unusual spellings of units. They
+// are read correctly, or refused with an option that reads them.
 #include "log/file_format.h"
 #include "log/read_text.h"
 #include "support/test.h"
@@ -28,7 +28,7 @@ Cell insteadAt(const std::vector<int>& rows, const std::string& text, const Cell
   return [=](int row) { return std::count(rows.begin(), rows.end(), row) > 0 ? text : cell(row); };
 }
 
-// The rows are 1 ms apart.
+// Returns the text of a table whose rows are 1 ms apart.
 std::string table(const std::string& header, const std::vector<Cell>& cells) {
   std::string text = header + "\n";
   for (int row = 0; row < kRows; ++row) {
@@ -91,7 +91,7 @@ TEST(Signals, AMissingForceLeavesItsDisplacement) {
   EXPECT_THAT(log.notes, Contains(HasSubstr("the first without in line 9: force_N: 'OL' is not a number")));
 }
 
-// Two topics in one table never share a row.
+// The two topics in the table never have values in the same row.
 TEST(Signals, OfTwoClocksAreInterpolated) {
   const auto cells = [](int even, const Cell& cell) {
     return [=](int row) { return row % 2 == even ? cell(row) : std::string(); };
@@ -106,7 +106,7 @@ TEST(Signals, OfTwoClocksAreInterpolated) {
   }
 }
 
-// The gap is longer than three steps of the force's own clock.
+// The gap is longer than three time steps of the force.
 TEST(Signals, AreNotInterpolatedOverAGap) {
   const Cell force = [](int row) { return row % 2 == 1 && (row < 500 || row > 600) ? forceCells()(row) : ""; };
   const log::Log log = readText(table(kHeader, {every(2, displacementCells()), force}));
@@ -114,7 +114,7 @@ TEST(Signals, AreNotInterpolatedOverAGap) {
   EXPECT_EQ(log.counts[200], 1.0);
 }
 
-// Options that omit more than a tenth of the rows are not advised.
+// An error does not advise an option that would omit more than a tenth of the rows.
 TEST(Signals, ALostDisplacementIsBridgedWhereLittleIsLost) {
   std::vector<int> few;
   std::vector<int> many;
@@ -166,7 +166,7 @@ TEST(Sentinels, OfManyRowsAreRefusedWithAnOption) {
   EXPECT_EQ(readText(text, advised(error, "--sentinel")).size(), static_cast<std::size_t>(kRows));
 }
 
-// Peaks, clipped channels and steps are measured values, not codes for missing ones.
+// Peaks, clipped channels and steps are measured values, not codes for missing values.
 TEST(Sentinels, AreNoPeaksOrSteps) {
   const Cell quiet = [](int row) { return number(0.001 * (row % 3)); };
   const std::vector<Cell> measured = {insteadAt({700}, "5000", displacementCells()),       // one spike
@@ -186,7 +186,7 @@ TEST(Sentinels, AreNoPeaksOrSteps) {
   }
 }
 
-// LabVIEW restarts its X_Value, and cycles restart their time.
+// The time restarts, as LabVIEW's X_Value does, or the time of a test with cycles.
 TEST(Restarts, OfTheTimeAreSegments) {
   std::string text = kHeader + "\n";
   for (int row = 0; row < kRows; ++row) {
@@ -204,7 +204,7 @@ TEST(Restarts, OfTheTimeAreSegments) {
   EXPECT_EQ(log::readLogs(file.path(), byOption("--segment", "all")).size(), 8U);
 }
 
-// A counter that wraps restarts at another value than that of the first row.
+// A counter that overflows restarts at another value than it had in the first row.
 TEST(Restarts, OfACounterTellTheRateOfItsSteps) {
   std::string text = "time [ns],displacement_mm\n";
   for (int row = 0; row < kRows; ++row) {
@@ -265,7 +265,7 @@ TEST(UnitSpellings, AreThoseOfBrackets) {
               Contains(HasSubstr("column 'force_in' is ignored; if it is the measured force, use --columns force=3")));
 }
 
-// An error advises these columns for the output of rostopic echo.
+// These are the columns that an error advises for the output of rostopic echo.
 TEST(Formats, ThatRostopicWritesAreReadByTheColumnsThatAreAdvised) {
   const log::Log log =
       readText("%time,field.header.seq,field.displacement\n1764244000000000000,0,0.001\n1764244000001000000,1,0.002\n",
@@ -297,7 +297,7 @@ TEST(Formats, AreNamedByTheirFirstBytes) {
   EXPECT_EQ(log::formatOf("[s],[mm],[N]\n0,1,2\n"), log::FileFormat::text);
 }
 
-// A random file of several rates with missing cells, and its content.
+// Draws a file with several rates and missing cells, and its content.
 class Drawn {
  public:
   explicit Drawn(unsigned seed) : random_(seed) {

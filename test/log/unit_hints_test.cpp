@@ -1,4 +1,4 @@
-// Errors for quantities that cannot be read suggest the unit or number that was probably meant.
+// Errors about unreadable quantities suggest the unit or number that was probably meant.
 #include "rubber_suspension/log/log.h"
 #include "rubber_suspension/log/units.h"
 #include "support/test.h"
@@ -17,13 +17,13 @@ TEST(UnitHints, NameTheUnitInItsRightSpelling) {
   EXPECT_EQ(refusal("4 degre", "rad"), "unit 'degre' is unknown (did you mean 'degree'?)");
 }
 
-// "Grad" is German for degrees; read with a prefix it would be 7e9 rad. "grad" is a gon elsewhere.
+// "Grad" is German for degrees. Read as giga-rad, 7 Grad would be 7e9 rad. The English "grad" is another unit, the gon.
 TEST(Quantity, TakesGradForDegrees) {
   EXPECT_NEAR(log::parseQuantity("7 Grad", "rad"), 0.12217304763960307, 1e-15);
   EXPECT_EQ(refusal("7 grad", "rad"), "unit 'grad' is unknown (did you mean 'Grad'?)");
 }
 
-// A hint of another dimension would only lead to the next error.
+// Suggesting a unit of another dimension would lead to the next error.
 TEST(UnitHints, AreOfTheDimensionThatIsWanted) {
   EXPECT_EQ(refusal("3 kn", "N/m"), "unit 'kn' is unknown");
   EXPECT_EQ(refusal("3 kN", "N/m"), "unit 'kN' cannot be converted to N/m");
@@ -42,7 +42,7 @@ TEST(UnitHints, WriteTheNumberWithADecimalPoint) {
   EXPECT_EQ(log::parseQuantity("2e-4 1/J", "1/J"), 2e-4);
 }
 
-// The text after the number is one unit; the library of units would also accept origins and factors.
+// The text after the number must be one unit, although the library of units would also accept origins and factors.
 TEST(Quantity, IsOneNumberAndOneUnit) {
   for (const char* text :
        {"3..4 kN/mm", "3 kN/mm +10 %", "3 kN/mm @ 20", "3 kN/mm 5", "3 N/m since 1970", "3 kN/mm - 1", "3 N/m from 2",
