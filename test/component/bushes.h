@@ -1,4 +1,4 @@
-// Bushes for the tests of six directions, bodies on which they act, and the work over closed paths.
+// Bushes for tests of six directions, bodies on which they act, and their work over closed paths.
 #pragma once
 
 #include "rubber_suspension/component/six_directions.h"
@@ -14,7 +14,7 @@ inline Eigen::Isometry3d poseAt(const Eigen::Vector3d& position, const Eigen::Ve
   return pose;
 }
 
-// Springs, a curve with scaled branches, Maxwell elements, friction; `size` is a length: 1 mm or some 0.1 rad.
+// Returns springs, a curve with scaled branches, Maxwell elements and friction. `size` is 1 mm or some 0.1 rad.
 inline std::vector<element::ElementDescription> fullElements(double stiffness, double size) {
   const double k = stiffness;
   std::vector<double> points;
@@ -67,11 +67,11 @@ inline component::SixDirectionsLaws framed(component::SixDirectionsLaws laws) {
   return laws;
 }
 
-// A body of 5 kg and 0.02 kg m^2 whose momentum changes only by the given wrench.
+// A body of 5 kg and 0.02 kg m^2. Only the given wrench changes its momentum.
 struct Body {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
-  Eigen::Vector3d angular_momentum = Eigen::Vector3d::Zero();  // about its centre of mass
+  Eigen::Vector3d angular_momentum = Eigen::Vector3d::Zero();  // about the centre of mass
 
   void push(const component::Wrench& wrench, double dt) {
     momentum += dt * wrench.force;
@@ -87,7 +87,7 @@ inline component::Wrench turned(const Eigen::Matrix3d& rotation, const component
   return {rotation * wrench.force, rotation * wrench.moment};
 }
 
-// Returns the coordinates on a smooth closed path with rotations of up to 60 deg, for times from 0 to 1.
+// Returns the coordinates on a smooth closed path with rotations of up to 60 deg. The time is between 0 and 1.
 inline component::SixNumbers loopAt(double time, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
@@ -103,12 +103,12 @@ inline component::SixNumbers loopAt(double time, unsigned seed = 1) {
 }
 
 struct LoopWork {
-  double work = 0.0;                // wrench on B relative to A [J]
-  double work_of_directions = 0.0;  // generalised forces on the coordinates [J]
-  double turnover = 0.0;            // sum of magnitudes over the steps [J]
+  double work = 0.0;                // work of the wrench on B relative to A [J]
+  double work_of_directions = 0.0;  // work of the generalised forces on the coordinates [J]
+  double turnover = 0.0;            // sum of the magnitudes of the work of all steps [J]
 };
 
-// Integrates the work over a closed path of 2 s by the trapezoidal rule.
+// Integrates the work over a closed path of 2 s with the trapezoidal rule.
 inline LoopWork closedLoop(const component::SixDirections& bush, int steps, unsigned seed = 1) {
   component::SixDirectionsState state = bush.makeState();
   Eigen::Isometry3d last = bush.pose(loopAt(0.0, seed));
@@ -135,7 +135,7 @@ inline LoopWork closedLoop(const component::SixDirections& bush, int steps, unsi
   return sum;
 }
 
-// Compares the tangent with the derivative of the wrench by the pose, from central differences of whole steps.
+// Compares the tangent with the derivative of the wrench with respect to the pose, from central differences.
 inline void expectTangent(const component::SixDirections& bush) {
   component::SixDirectionsState state = bush.makeState();
   component::SixDirectionsState trial = bush.makeState();

@@ -1,5 +1,5 @@
-// A component: sums, order of the displacement path, series compliance, delay and parts compared with closed forms;
-// state, trial steps, tangent.
+// A component: sums, the order of effects on the displacement, series compliance, delay and parts compared with closed
+// forms. Also its state, trial steps and tangent.
 #include "rubber_suspension/component/component.h"
 
 #include "element/driver.h"
@@ -48,7 +48,7 @@ TEST(Component, ComplexStiffnessIsTheSumOfThoseOfItsElements) {
 }
 
 TEST(Component, MeetsThePapersExample) {
-  // M2 of Polach: K = 4.2 kN/mm and 5.76 degrees at 4 Hz.
+  // Polach's example of a spring and one Maxwell element has 4.2 kN/mm and 5.76 degrees at 4 Hz.
   const component::Component component({kSpring, maxwell(1.3295e6, 1.43)});
   const std::complex<double> k = *component.complexStiffness(4.0);
   EXPECT_NEAR(std::abs(k), 4.2e6, 1e3);
@@ -75,7 +75,7 @@ TEST(Component, OrderOfElementsIsWithoutInfluenceButForRounding) {
   }
 }
 
-/// A component with one element of each kind, which uses all slots of the memory.
+/// A component with one element of each type, which uses all entries of the state's memory.
 class Everything : public testing::Test {
  protected:
   component::Component component_{typicalElements()};
@@ -152,8 +152,8 @@ TEST(Component, WithoutElementsIsWithoutForce) {
   EXPECT_EQ(*component.complexStiffness(1.0), 0.0);
 }
 
-// Springs in series have 1/(1/K + 1/K_s), up to the solver's last digits. Several compliances add up; those of one side
-// add up on that side only.
+// A spring K and a compliance K_s in series have the stiffness 1/(1/K + 1/K_s), up to the tolerance of the solver.
+// Several compliances add up. One-sided compliances add up on their side only.
 TEST(SeriesCompliance, OfASpringIsASpringInSeries) {
   const struct {
     Entries compliances;
@@ -174,8 +174,8 @@ TEST(SeriesCompliance, OfASpringIsASpringInSeries) {
   }
 }
 
-// Spring and Maxwell element behind a series compliance act as a spring and a Maxwell element of other values: K = K_s
-// (k0 + M)/(K_s + k0 + M). A step assumes that the specimen's displacement is linear.
+// The stiffness of a spring k0 and a Maxwell element M in series with a compliance is K_s (k0 + M)/(K_s + k0 + M). A
+// step assumes that the displacement of the specimen is linear.
 TEST(SeriesCompliance, TendsToTheClosedFormWithTheStep) {
   const component::Component component({kSpring, kMaxwell, kSeriesCompliance});
   const std::complex<double> specimen = *component::Component({kSpring, kMaxwell}).complexStiffness(4.0);
@@ -187,8 +187,8 @@ TEST(SeriesCompliance, TendsToTheClosedFormWithTheStep) {
   EXPECT_LE(fine, 1e-3 * std::abs(expected));
 }
 
-// The bare specimen gives the same force for the displacement that the compliance leaves. With an idle stop the general
-// solver runs, without it that for springs, Maxwell elements and friction.
+// A specimen without the compliance has the same force at its share of the displacement. An idle stop makes the
+// component use the general solver instead of the one for springs, Maxwell elements and friction.
 TEST(SeriesCompliance, ForceBalanceHoldsWithFriction) {
   const element::ElementDescription opens = entry("series_compliance stiffness=8e6 side=1");
   const element::ElementDescription closes = entry("series_compliance stiffness=5e6 closing_force=2e3");
@@ -214,7 +214,7 @@ TEST(SeriesCompliance, ForceBalanceHoldsWithFriction) {
   }
 }
 
-// F = K z' and z' = z - F/(K_s (1 + |F|/F_c)) give a quadratic equation in F.
+// The equations F = K z' and z' = z - F/(K_s (1 + |F|/F_c)) give a quadratic equation in F.
 TEST(SeriesCompliance, ThatClosesUnderLoadMeetsTheClosedForm) {
   constexpr double kStiffness = 4e6;
   constexpr double kClosing = 800.0;
@@ -236,7 +236,7 @@ TEST(LiftOff, CarriesOneSignOfForce) {
   WithState strap({kSpring, kStrap});
   WithState chevron({kSpring, kSeriesCompliance, entry("lift_off side=-1")});
   const double in_series = 1.0 / (1.0 / 3e6 + 1.0 / 3e7);
-  constexpr double kRounding = 1e-9;  // [N], of forces of kN
+  constexpr double kRounding = 1e-9;  // rounding of forces of some kN [N]
   for (const double z : {1e-3, -1e-3, 2e-3, -5e-3, 1e-6}) {
     EXPECT_NEAR(strap.step(1e-3, z), std::max(0.0, 3e6 * z), kRounding) << z;
     EXPECT_NEAR(chevron.step(1e-3, z), std::min(0.0, in_series * z), kRounding) << z;
@@ -247,7 +247,7 @@ TEST(LiftOff, CarriesOneSignOfForce) {
 }
 
 TEST(LiftOff, BeyondItsPreloadIsOpenOrHeld) {
-  constexpr double kRounding = 1e-9;  // [N], of forces of kN
+  constexpr double kRounding = 1e-9;  // rounding of forces of some kN [N]
   for (const double side : {1.0, -1.0}) {
     const element::ElementDescription contact{"lift_off", {{"side", {side}}, {"preload", {600.0}}}};
     element::ElementDescription bolted = contact;
@@ -255,7 +255,7 @@ TEST(LiftOff, BeyondItsPreloadIsOpenOrHeld) {
     WithState open({kSpring, contact});
     WithState held({kSpring, bolted});
     for (const double z : {1e-3, -1.9e-4, -1e-3, 2e-3, -5e-3}) {
-      const double beyond = (z + 2e-4) / (1.0 / 3e6 + 1.0 / 1e6);  // specimen and holder share the excess displacement
+      const double beyond = (z + 2e-4) / (1.0 / 3e6 + 1.0 / 1e6);  // the excess displacement is in specimen and holder
       EXPECT_NEAR(side * open.step(1e-3, side * z), std::max(-600.0, 3e6 * z), kRounding) << z;
       EXPECT_NEAR(side * held.step(1e-3, side * z), z > -2e-4 ? 3e6 * z : -600.0 + beyond, kRounding) << z;
       EXPECT_NEAR(side * open.initialise(side * z), std::max(-600.0, 3e6 * z), kRounding) << z;
@@ -264,7 +264,7 @@ TEST(LiftOff, BeyondItsPreloadIsOpenOrHeld) {
   }
 }
 
-// The origin of displacement and force is a linear test piece that was preloaded long ago.
+// Displacement and force are measured from the state of a test piece that was preloaded long ago.
 TEST(LiftOff, WithAPreloadIsOneWithoutAboutAnotherZero) {
   constexpr double kPreload = 1500.0;
   const double preloaded = kPreload / kSpring.value("stiffness");
@@ -282,8 +282,8 @@ TEST(LiftOff, WithAPreloadIsOneWithoutAboutAnotherZero) {
   EXPECT_GT(open, 100);
 }
 
-// The strap is released after its Maxwell element has relaxed: it is too long by z_0 k_m/(k + k_m) and recovers at the
-// rate k/(tau (k + k_m)). The contact closes at the length at that time.
+// The strap is released after its Maxwell element has relaxed. It is too long by z_0 k_m/(k + k_m), and recovers at the
+// rate k/(tau (k + k_m)). The contact closes at the length that the strap has by then.
 TEST(LiftOff, RecoversWhileSlack) {
   constexpr double kHeld = 1e-3;
   constexpr double kSlack = 0.05;  // [s]
@@ -308,7 +308,7 @@ TEST(LiftOff, RecoversWhileSlack) {
   EXPECT_NEAR(strap.step(state, kQuick, 1.01 * length).total, closed, 0.02 * closed);  // error of the finite steps
 }
 
-// A closed contact changes no bit of the force of the test piece, whatever elements it has.
+// While the contact is closed, it changes no bit of the force, whatever elements the test piece has.
 TEST(LiftOff, ChangesNothingWhileClosed) {
   const element::ElementDescription softening = entry("stress_softening reduction=0.3");
   Entries laws = {kSpring, kMaxwell, kFriction, softening};
@@ -330,11 +330,11 @@ TEST(LiftOff, ChangesNothingWhileClosed) {
   EXPECT_GT(open, 200) << "half of the motion, and what friction and relaxation leave of the length";
 }
 
-// A test piece with elements that store and dissipate, on a bracket: the work of the plate over random loops into the
-// slack and back is not negative. The trapezoidal rule has an error of up to the change of the force over a step.
+// The test piece is on a bracket, with elements that store and dissipate energy. Over random loops into the slack and
+// back, the work on it is not negative. In a step, the trapezoidal rule is off by at most the change of the force.
 TEST(LiftOff, WithBranchesNeverGivesMoreEnergyThanItGot) {
   constexpr int kParts = 200;
-  constexpr double kRounding = 1e-9;  // [N], of the root where the contact is open
+  constexpr double kRounding = 1e-9;  // rounding of the root where the contact is open [N]
   for (const auto& [side, preload] : {std::pair(1.0, 0.0), std::pair(-1.0, 0.0), std::pair(1.0, 2e3)}) {
     const component::Component held({kSpring,
                                      kMaxwell,
@@ -374,7 +374,7 @@ TEST(LiftOff, WithBranchesNeverGivesMoreEnergyThanItGot) {
   }
 }
 
-// An idle stop adds no force, but needs the general solver instead of the closed form.
+// An idle stop adds no force, but makes the component use the general solver instead of a closed form.
 TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
   const element::ElementDescription idle = entry("bump_stop stiffness=1e6 gap=1");
   for (unsigned trial = 0; trial < 60; ++trial) {
@@ -401,15 +401,15 @@ TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
       largest = std::max(largest, std::abs(force));
     }
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      // A rounding of a displacement of 2 mm is multiplied by the dashpot with up to 3e7 N/m.
+      // The dashpot multiplies the rounding of a displacement of 2 mm by up to 3e7 N/m.
       ASSERT_NEAR(forces[i], expected[i], 1e-11 * largest) << "trial " << trial << ", step " << i;
     }
   }
 }
 
 TEST(SeriesCompliance, SolvesWhereTheSpecimenSoftens) {
-  // The tangent stiffness of the specimen, 3e6 + 2 k2 z, falls to -1e6 at z = -2 mm, still stable with the compliance
-  // of 1/3e7.
+  // The tangent stiffness of the specimen, 3e6 + 2 k2 z, falls to -1e6 at z = -2 mm. With a compliance of 1/3e7 this is
+  // still stable.
   WithState component({kSpring, kSeriesCompliance, entry("asymmetric_stiffness quadratic=1e9")});
   for (int i = 1; i <= 100; ++i) {
     const double z = -2e-3 * i / 100;
@@ -419,7 +419,7 @@ TEST(SeriesCompliance, SolvesWhereTheSpecimenSoftens) {
   }
 }
 
-/// Returns the entries of a displacement path in each order.
+/// Returns the elements of a displacement path in every order.
 std::vector<Entries> inEachOrder(Entries path) {
   const auto byType = [](const element::ElementDescription& one, const element::ElementDescription& other) {
     return one.type < other.type;
@@ -432,8 +432,8 @@ std::vector<Entries> inEachOrder(Entries path) {
   return orders;
 }
 
-// Friction and relaxation have a force within the gap, and samples are on both sides of its edge, so that other orders
-// give other forces; the last two expectations check this.
+// Friction and relaxation have a force within the gap, and samples lie on both sides of its edge. So other orders give
+// other forces, as the last two expectations check.
 TEST(DisplacementPath, IsDelayThenFreePlayThenSeriesCompliance) {
   constexpr double kStep = 1e-3;  // [s]
   const element::ElementDescription delay = entry("time_delay delay=0.4e-3");
@@ -445,8 +445,8 @@ TEST(DisplacementPath, IsDelayThenFreePlayThenSeriesCompliance) {
     WithState component(entries);
     WithState behind_play({kSpring, kMaxwell, kFriction, kSeriesCompliance});
     Driver delayed(delay);
-    double of_play_first = 0.0;        // largest difference [m]
-    double of_compliance_first = 0.0;  // the same [m]
+    double of_play_first = 0.0;        // largest difference of the displacement [m]
+    double of_compliance_first = 0.0;  // largest difference of the displacement [m]
     for (int i = 1; i <= 200; ++i) {
       const double z = sineAt(i, 50, 1e-3);
       const double before = sineAt(i - 1, 50, 1e-3);
@@ -545,7 +545,7 @@ TEST(Component, ChangingStepLengthsGiveWhatEachWouldGive) {
   const component::Component component({kSpring, kDashpot, kMaxwell, kFastMaxwell});
   component::ComponentState state = component.makeState();
   walk(component, state, 7, 20);
-  component::ComponentState fresh = component.makeState();  // no prepared coefficients of another step length
+  component::ComponentState fresh = component.makeState();  // no coefficients prepared for another time step
   component.restore(fresh, state.displacement(), state.memory());
   component.step(state, 0.5, 1e-3);
   component.step(fresh, 0.5, 1e-3);
@@ -572,7 +572,7 @@ TEST(Tangent, OfLinearElementsInClosedForm) {
   walk(component, state, 8, 20);
   const element::MaxwellStep step(1.3e6, element::Relaxation::over(kDt * 2.0 * element::kPi * 1.43));
   const component::Tangent tangent = component.tangent(state, kDt, 1e-3, trial);
-  // The error is that of 1e-16 of some kN over 2e-8 m.
+  // The tolerance is the rounding error of 1e-16 of some kN, divided by the difference of 2e-8 m.
   EXPECT_NEAR(tangent.stiffness, 3e6, 1e-8 * 3e6);
   EXPECT_NEAR(tangent.damping, 1e4 + kDt * step.gain, 1e-8 * 1e4);
 }
@@ -584,16 +584,16 @@ TEST(Tangent, OfFrictionAndSeriesComplianceInClosedForm) {
   const component::Tangent tangent = component.tangent(state, 1e-3, 0.5e-3, trial);
   component::ComponentState moved = state;
   const double specimen = 0.5e-3 - component.step(moved, 1e-3, 0.5e-3).total / 3e7;
-  const double stiffness = 3e6 + 5e3 * 1e-3 / std::pow(1e-3 + specimen, 2);  // of k z + F_max z/(z2 + z)
+  const double stiffness = 3e6 + 5e3 * 1e-3 / std::pow(1e-3 + specimen, 2);  // derivative of k z + F_max z/(z2 + z)
   EXPECT_NEAR(tangent.stiffness, stiffness / (1.0 + stiffness / 3e7), 1e-6 * stiffness);
   EXPECT_EQ(tangent.damping, 0.0);
 }
 
-// Simulates a mass on the component with an implicit integrator: the trapezoidal rule with Newton's method.
+// Simulates a mass on the component with an implicit integrator: trapezoidal rule and Newton's method.
 double displacementOfMass(const component::Component& component, double dt, double duration) {
   constexpr double kMass = 5000.0;
   constexpr double kLoad = 4000.0;
-  constexpr double kTolerance = 1e-5;  // [N]; rounding of 4 m z/dt^2 with the finest step is 1e-6
+  constexpr double kTolerance = 1e-5;  // [N]; in the finest step, 4 m z/dt^2 has a rounding error of 1e-6
   component::ComponentState state = component.makeState();
   component::ComponentState trial = component.makeState();
   double z = 0.0;

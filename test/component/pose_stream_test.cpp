@@ -1,4 +1,4 @@
-// Poses that a stream accepts, and dropped ones, which leave no trace.
+// Poses that a stream accepts, and poses that it drops without a change of its state.
 #include "rubber_suspension/component/pose_stream.h"
 
 #include "component/bushes.h"
@@ -59,7 +59,7 @@ TEST(PoseStream, DropsWhatIsNoPoseAndKeepsItsState) {
   EXPECT_EQ(counter.count(), 0U);
   EXPECT_EQ(stream.counters().not_a_rotation, 49U);
   EXPECT_EQ(stream.counters().beyond_measure, 49U);
-  // A quaternion with a length within the tolerance is normalised.
+  // A quaternion is normalised if its length is within the tolerance.
   Quaterniond nearly = turn(10.0);
   nearly.coeffs() *= 1.0009;
   const auto answer = stream.push(60 * kMillisecond, Vector3d::Zero(), nearly);

@@ -1,4 +1,4 @@
-// Directions that act by their radius: numbers of a reference, isotropy, work, and agreement with a single direction.
+// Directions coupled by their radius: reference values, isotropy, work, and agreement with a single direction.
 #include "component/bushes.h"
 #include "support/kit.h"
 
@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 const std::vector<Coupling> kRadial = {Coupling::cylindrical, Coupling::spherical};
 
-// Returns the points of a cubic curve F(r); `size` is one of them.
+// Returns a cubic curve F(r) of points. `size` is the radius of one of the points.
 element::ElementDescription curve(double linear, double cubic, double size, int points) {
   std::vector<double> displacement;
   std::vector<double> force;
@@ -48,7 +48,7 @@ TEST(RadialCoupling, GivesTheForcesOfTheReference) {
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(3900.0, -5200.0, 3250.0)).norm(), 1e-9);
 }
 
-// The potential of two laws is that of the points, with an error of the square of their distance.
+// The potential follows from the points of the two curves. Its error is the square of the distance of the points.
 TEST(RadialCoupling, GivesTheEllipticForcesOfTheReference) {
   SixDirectionsLaws laws;
   laws.translation = Coupling::cylindrical;
@@ -56,13 +56,13 @@ TEST(RadialCoupling, GivesTheEllipticForcesOfTheReference) {
   laws.elements[component::kY] = {curve(1.6e6, 2e12, 1e-3, 1000)};
   laws.elements[component::kZ] = {spring(1e6)};
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(2784.0, -2592.0, 500.0)).norm(), 1e-2);
-  // Linear laws act along each direction separately, as without coupling.
+  // Linear laws act along each direction independently, as they do without coupling.
   laws.elements[component::kY] = {curve(1.6e6, 0.0, 1e-3, 3)};
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(2400.0, -1280.0, 500.0)).norm(), 1e-9);
 }
 
-// The law of the reference is split into springs and a radial stiffness, which has the whole cubic part or only what
-// the directions lack.
+// The law of the reference is split into springs and a radial stiffness. The latter has the whole cubic term, or only
+// the part that the directions lack.
 TEST(RadialCoupling, RectangularDirectionsShareARadialStiffness) {
   SixDirectionsLaws laws;
   laws.elements[component::kX] = {spring(4e6), entry("radial_stiffness cubic=2e12")};
@@ -78,7 +78,7 @@ TEST(RadialCoupling, RectangularDirectionsShareARadialStiffness) {
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(3600.0, -4800.0, 500.0)).norm(), 1e-9);
   laws.elements[component::kRx] = laws.elements[component::kRy] = laws.elements[component::kRz] = {spring(250.0)};
   expectTangent(SixDirections(framed(laws)));
-  laws.elements[component::kY].back().values["cubic"] = {1e12};  // other numbers that still have a potential
+  laws.elements[component::kY].back().values["cubic"] = {1e12};  // other values with a potential
   const LoopWork work = closedLoop(SixDirections(laws), 20000);
   EXPECT_LT(std::abs(work.work), 1e-6 * work.turnover);
 }
@@ -124,7 +124,7 @@ TEST(RadialCoupling, SlidersFollowTheReference) {
   EXPECT_NEAR(work, 0.2479063478978678, 1e-9);
 }
 
-// If the path and the laws are rotated, so is the wrench: d becomes T d, and R becomes T R T^T.
+// Rotating the path and the laws rotates the wrench: d becomes T d, and R becomes T R T^T for a rotation T.
 TEST(RadialCoupling, IsIsotropic) {
   for (const Coupling coupling : kRadial) {
     const SixDirections bush(coupledLaws(coupling));
@@ -173,7 +173,7 @@ TEST(RadialCoupling, ElasticLawsDoNoWorkAndOthersTakeSome) {
   }
 }
 
-// Along a radius the component equals one of a single direction, even for a curve with branches and friction.
+// Along a radius, the component equals one with a single direction, even for a curve with branches and friction.
 TEST(RadialCoupling, IsOneDirectionAlongARadius) {
   const component::Component one(fullElements(2e6, 1e-3));
   for (const Coupling coupling : kRadial) {
@@ -182,7 +182,7 @@ TEST(RadialCoupling, IsOneDirectionAlongARadius) {
     auto state = bush.makeState();
     auto expected = one.makeState();
     for (int i = 1; i < 3000; ++i) {
-      // The steps cross several points of the curve and pass through 0.
+      // The steps cross several points of the curve, and zero.
       const double z = 3.4e-3 * std::sin(0.37 * i) * std::sin(0.011 * i) + 1e-4 * std::sin(1.3 * i);
       const double dt = 1e-3 * (1 + i % 3);
       const Vector3d force = bush.step(state, dt, poseAt(z * axis, Vector3d::Zero())).wrench.force;
@@ -191,7 +191,7 @@ TEST(RadialCoupling, IsOneDirectionAlongARadius) {
   }
 }
 
-// On a curved path of branches along a curve, half the step divides the error by four.
+// On a curved path with branches along a curve, halving the step divides the error by four.
 TEST(RadialCoupling, ConvergesWithTheStep) {
   SixDirectionsLaws laws = coupledLaws(Coupling::cylindrical);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -237,7 +237,7 @@ TEST(RadialCoupling, RefusesWhatHasNoFormByTheRadius) {
       }
     }
     const std::string message = refusal(laws);
-    // Some laws do not accept values of 1, and are refused for that reason.
+    // Some laws refuse the value 1 of a parameter before the coupling is checked.
     EXPECT_EQ(message.rfind("x: ", 0) == 0 || message.rfind("y: ", 0) == 0, true) << type.name << ": " << message;
     EXPECT_NE(message.find(type.name), std::string::npos) << message;
   }
@@ -249,12 +249,12 @@ TEST(RadialCoupling, NamesTheIwanOfBergsNumbers) {
   laws.elements[component::kZ] = {friction(5000.0, 2.2e-3)};
   const std::string message = refusal(laws);
   EXPECT_NE(message.find("{type: iwan, maximum_force: 5000, displacement: 0.0022}"), std::string::npos) << message;
-  // The ratio in the message is that of settled loops.
+  // The message states the ratio of the forces of settled loops.
   const auto peak = [](const element::ElementDescription& friction) {
     const component::Component component({friction});
     auto state = component.makeState();
     double last = 0.0;
-    for (int i = 1; i <= 40250; ++i) {  // ends at a maximum
+    for (int i = 1; i <= 40250; ++i) {  // ends at a maximum of the displacement
       last = component.step(state, 1e-3, 2.2e-3 * std::sin(2.0 * element::kPi * i / 1000.0)).total;
     }
     return last;

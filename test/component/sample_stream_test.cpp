@@ -1,4 +1,4 @@
-// The rules for time: accepted samples, and dropped ones, which do not change the state.
+// The rules for time: which samples are accepted, and that dropped samples do not change the state.
 #include "rubber_suspension/component/sample_stream.h"
 
 #include "support/allocation_counter.h"
@@ -100,7 +100,7 @@ TEST_F(Stream, DroppedSamplesLeaveNoTrace) {
   EXPECT_EQ(stream_.counters().dropped(), 300U);
 }
 
-// A gap is one long step with linear displacement, which equals the sum of the missing steps.
+// A gap is one long step with linear displacement. It equals the sum of the missing steps.
 TEST_F(Stream, BridgesAGapExactly) {
   stream_.push(0, 0.0);
   const component::StreamForce bridged = stream_.push(501 * kMs, 1e-3);
@@ -112,7 +112,7 @@ TEST_F(Stream, BridgesAGapExactly) {
   for (int i = 1; i <= 501; ++i) {
     expected = complete.push(i * kMs, 1e-3 * i / 501.0).force.total;
   }
-  EXPECT_NEAR(bridged.force.total, expected, 1e-11 * expected);  // 501 times rounding
+  EXPECT_NEAR(bridged.force.total, expected, 1e-11 * expected);  // 501 times the rounding
   EXPECT_EQ(complete.counters().bridged, 0U);
 }
 
@@ -168,14 +168,14 @@ TEST_F(Stream, RestoredStreamContinuesBitByBit) {
   EXPECT_THROW(other.deserialise(0, 0.0, {}), std::invalid_argument);
 }
 
-// Samples whose force overflows, at any distances, have no effect compared with a stream without them.
+// Samples whose force overflows must not change the state of a stream, whatever the displacement.
 void expectNoTraceOfOverflows(const component::Component& component, double too_far) {
   component::SampleStream stream(component);
   component::SampleStream untouched(component);
   std::mt19937 random(1);
   std::int64_t stamp = 0;
   for (int i = 0; i < 3000; ++i) {
-    stamp += random() % 500 == 0 ? -2000 * kMs : static_cast<std::int64_t>(1 + random() % 3) * kMs;  // with restarts
+    stamp += random() % 500 == 0 ? -2000 * kMs : static_cast<std::int64_t>(1 + random() % 3) * kMs;  // restarts
     if (random() % 50 == 0) {
       EXPECT_EQ(stream.push(stamp, too_far).acceptance, component::Acceptance::force_not_finite);
     }
@@ -194,8 +194,8 @@ void expectNoTraceOfOverflows(const component::Component& component, double too_
 }
 
 TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
-  constexpr double kNoDisplacement = 1e31;  // [m], refused without a step
-  constexpr double kTooFar = 1e30;          // [m], with a force that overflows
+  constexpr double kNoDisplacement = 1e31;  // [m], refused before the step
+  constexpr double kTooFar = 1e30;          // [m], a displacement at which the force overflows
   const Entries stop = {entry("bump_stop gap=1 stiffness=1e30 exponent=3 reference_depth=1e-99")};
   const Entries softening = {entry("stress_softening reduction=0.3")};
   expectNoTraceOfOverflows(component_, kNoDisplacement);
@@ -203,7 +203,7 @@ TEST_F(Stream, ForcesThatOverflowLeaveNoTrace) {
   expectNoTraceOfOverflows(component::Component(component_.elements() + stop + softening), kTooFar);
 }
 
-// A delay would store the displacement and give an infinite force several samples later.
+// A delay would store the displacement, and the force would be infinite several samples later.
 TEST_F(Stream, RefusesADisplacementBeyondAnyComponentWhenItComes) {
   const component::Component delayed(component_.elements() + Entries{entry("time_delay delay=5e-3")});
   component::SampleStream stream(delayed);

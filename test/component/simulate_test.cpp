@@ -1,4 +1,4 @@
-// Blocks of samples give the same bits as single samples, for any laws and any length of the blocks.
+// Blocks of samples give the same bits as single samples, for any laws and any block length.
 #include "element/typical_elements.h"
 #include "kernel/laws_one_by_one.h"
 #include "rubber_suspension/component/sample_stream.h"
@@ -10,9 +10,9 @@ namespace rubber_suspension::test {
 namespace {
 
 constexpr double kStep = 1e-3;                  // [s]
-constexpr std::int64_t kNanoseconds = 1000000;  // of a step
+constexpr std::int64_t kNanoseconds = 1000000;  // [ns]
 
-/// Returns a sine with noise, so that friction reverses often, and with pauses.
+/// Returns a sine with noise and pauses. Noise makes friction reverse often.
 std::vector<double> randomPath(std::mt19937& random, std::size_t samples) {
   std::normal_distribution<double> noise(0.0, 1.0);
   std::vector<double> path(samples);
@@ -62,7 +62,7 @@ TEST_P(Simulate, AllocatesNothing) {
   EXPECT_EQ(counter.count(), 0U);
 }
 
-/// Returns stamps with everything that a stream handles: even runs, other steps, gaps, repeats, steps back, restarts.
+/// Returns stamps with everything that a stream handles: even steps, other steps, gaps, repeated stamps, restarts.
 std::vector<std::int64_t> randomStamps(std::mt19937& random, std::size_t samples) {
   const std::vector<std::int64_t> steps = {2 * kNanoseconds, 700 * kNanoseconds, 0, -kNanoseconds,
                                            -3000 * kNanoseconds};
@@ -74,7 +74,7 @@ std::vector<std::int64_t> randomStamps(std::mt19937& random, std::size_t samples
   return stamps;
 }
 
-/// Repeats pushAll() for all samples, skipping those that are dropped.
+/// Calls pushAll() until all samples are processed, skipping dropped samples.
 std::vector<double> forcesOfAll(component::SampleStream& stream, const std::vector<std::int64_t>& stamps,
                                 const std::vector<double>& path) {
   std::vector<double> force(path.size(), 0.0);

@@ -1,4 +1,4 @@
-// A component of six directions: numbers of a reference implementation, power, momentum, tangents.
+// A component of six directions: reference values, power, momentum, tangents.
 #include "rubber_suspension/component/six_directions.h"
 
 #include "component/bushes.h"
@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 const std::vector<RotationMeasure> kMeasures = {RotationMeasure::vector, RotationMeasure::cardan};
 
-// The reference is an independent implementation in numpy, verified by gradients of potentials.
+// The reference values are of an independent implementation in numpy, which was verified by gradients of potentials.
 SixDirectionsLaws referenceLaws(RotationMeasure measure) {
   SixDirectionsLaws laws;
   laws.elements[component::kX] = {spring(4e6), entry("progressive_stiffness cubic=2e12")};
@@ -47,7 +47,7 @@ TEST(SixDirections, GivesTheWrenchOfTheReference) {
   EXPECT_LT((bush.coordinates(referencePose()).tail<3>() - angles).norm(), 1e-9);
 }
 
-// The forces of a cylindrical bush at the pose of the reference; the moment on A is M + d x F.
+// This is the wrench of a cylindrical bush at the reference pose. The moment on A is M + d x F.
 TEST(SixDirections, GivesBothBodiesTheirReactions) {
   const component::Wrench on_b{{3600.0, -4800.0, 500.0}, {46.130988425, -25.026593055, 30.022106559}};
   const component::Reactions reactions = SixDirections::reactions(referencePose(), on_b);
@@ -88,7 +88,7 @@ TEST(SixDirections, RotationMeasuresTurnBackToTheirRotations) {
       const Vector3d moments(1.0, -2.0, 0.5);
       EXPECT_LT((same.momentOf(moments) - found.rates().transpose() * moments).norm(), 1e-13);
       EXPECT_LT((found.rates() - component::ratesAt(measure, value)).norm(), 1e-13);
-      // The rates are the derivative of the coordinates by a rotation in A's axes.
+      // The rates are the derivative of the coordinates with respect to a rotation about the axes of A.
       constexpr double kStep = 1e-6;
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const auto turned = [&](double by) {
@@ -101,7 +101,7 @@ TEST(SixDirections, RotationMeasuresTurnBackToTheirRotations) {
   }
 }
 
-// The forces of springs and dashpots at a known twist, F = K q + C q', M = N^-T (...), do not depend on the last step.
+// At a given twist, springs and dashpots exert K q + C q' on the coordinates q, independent of the last step.
 TEST(SixDirections, DashpotsAnswerToATwist) {
   SixDirectionsLaws laws = referenceLaws(RotationMeasure::cardan);
   for (auto& elements : laws.elements) {
@@ -128,7 +128,7 @@ TEST(SixDirections, DashpotsAnswerToATwist) {
 TEST(SixDirections, ADisplacedBodyComesBack) {
   SixDirectionsLaws laws = framed(fullLaws(RotationMeasure::vector));
   for (auto& elements : laws.elements) {
-    elements.pop_back();  // friction, which could balance the springs
+    elements.pop_back();  // remove friction, which could balance the springs
   }
   const SixDirections bush(laws);
   auto state = bush.makeState();
@@ -139,7 +139,7 @@ TEST(SixDirections, ADisplacedBodyComesBack) {
     const component::Wrench wrench = bush.step(state, 1e-4, body.pose).wrench;
     body.push(SixDirections::reactions(body.pose, wrench).on_b, 1e-4);
   }
-  // The slowest branch, of 3 Hz, decays to exp(-2 pi 3 4).
+  // The slowest branch (3 Hz) has decayed by exp(-2 pi 3 4) after 4 s.
   EXPECT_LT(body.pose.translation().norm(), 1e-9);
   EXPECT_LT(Eigen::AngleAxisd(body.pose.linear()).angle(), 1e-9);
   EXPECT_LT(body.momentum.norm(), 1e-6);
@@ -174,8 +174,8 @@ TEST(SixDirections, TwoFreeBodiesKeepTheirMomentum) {
   }
 }
 
-// Over a fine path the work of the wrench on the bodies equals that of the forces on the coordinates, and is zero for
-// elastic directions.
+// On a fine path, the wrench does the same work on the bodies as the forces on the coordinates do. Elastic directions
+// do none.
 TEST(SixDirections, TheWrenchDoesTheWorkOfItsDirections) {
   for (const RotationMeasure measure : kMeasures) {
     const LoopWork loop = closedLoop(SixDirections(framed(fullLaws(measure))), 10000);

@@ -1,4 +1,4 @@
-// Steps of a component give the same bits as its laws one by one, whatever happens to the state in between.
+// A step of a component gives the same bits as separate steps of its laws, however the state changes in between.
 #include "kernel/laws_one_by_one.h"
 #include "support/on_any_processor.h"
 #include "support/test.h"
@@ -6,7 +6,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-/// Steps a component and its laws along the same path.
+/// Steps a component and its separate laws along the same path.
 class Pairing {
  public:
   explicit Pairing(std::mt19937& random)
@@ -23,7 +23,7 @@ class Pairing {
   }
 
  private:
-  // Disturbs the state from time to time.
+  // Disturbs the state at random.
   void disturb() {
     switch (random_() % 60) {
       case 0:

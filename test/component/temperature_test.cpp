@@ -1,5 +1,5 @@
-// Temperature: shifted dynamic stiffness and the master curve, the reduced time of a changing temperature, elements
-// with their own time, and components without a temperature law.
+// Temperature: shifted dynamic stiffness and master curve, reduced time under a changing temperature, elements with a
+// time of their own, and components without a temperature law.
 #include "element/typical_elements.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/component/sample_stream.h"
@@ -23,12 +23,12 @@ const element::ElementDescription kHeating = entry("self_heating energy_sensitiv
 
 constexpr double kReference = 20.0;  // [degC]
 
-// Returns the constants of natural rubber with the vertical shift of entropic elasticity.
+// Returns the constants of natural rubber, with the vertical shift of entropic elasticity.
 element::ElementDescription wlf(double vertical = 1.0 / 293.15) {
   return entry("wlf_shift c1=8.86 c2=101.6", {{"reference", kReference}, {"vertical", vertical}});
 }
 
-// The factors of wlf(), computed separately.
+// Returns the shift factors of wlf(), computed separately.
 element::Shift factorsAt(double temperature) {
   const double above = temperature - kReference;
   return {std::pow(10.0, -8.86 * above / (101.6 + above)), (temperature + 273.15) / 293.15};
@@ -36,7 +36,7 @@ element::Shift factorsAt(double temperature) {
 
 double displacementAt(int i) { return 1e-3 * std::sin(0.013 * i) + 4e-4 * std::sin(0.11 * i); }
 
-// Returns the forces from rest at a constant temperature.
+// Returns the forces of a motion from rest at a constant temperature.
 std::vector<double> forces(const component::Component& component, double temperature, double dt, int count) {
   component::ComponentState state = component.makeState();
   component.setTemperature(state, temperature);
@@ -48,9 +48,8 @@ std::vector<double> forces(const component::Component& component, double tempera
   return result;
 }
 
-// At a constant temperature all rates and the force are scaled: steps of dt/a_T at the reference give the forces over
-// b_T, for every law. The factors and the order of products such as 1/tau have rounding errors of 1e-12 of the largest
-// force.
+// At a constant temperature, all rates and the force are scaled. For every law, steps of dt/a_T at the reference give
+// the forces divided by b_T. Factors and products such as 1/tau have rounding errors of 1e-12 of the largest force.
 TEST(Temperature, ShiftsEveryLawAlike) {
   constexpr double kDt = 1e-3;
   for (const element::ElementDescription& law : typicalElements()) {
@@ -88,12 +87,12 @@ TEST(Temperature, DynamicStiffnessFollowsTheMasterCurve) {
   EXPECT_EQ(*component.complexStiffness(4.0, kReference), *master.complexStiffness(4.0));
 }
 
-// A simulated sine gives K*(omega, T) with a sampling error of second order in the step.
+// A simulated sine gives K*(omega, T), with a sampling error of second order in the step.
 TEST(Temperature, SimulatedSineTendsToTheShiftedStiffness) {
   const component::Component component({kSpring, kMaxwell, wlf()});
   constexpr double kFrequency = 4.0;
   constexpr double kTemperature = 5.0;
-  constexpr int kCycles = 400;  // 100 s; a_T = 34 extends the relaxation time to 4 s
+  constexpr int kCycles = 400;  // 100 s, because a_T = 34 extends the relaxation time to 4 s
   const std::complex<double> expected = *component.complexStiffness(kFrequency, kTemperature);
   std::vector<double> errors;
   for (const int samples : {100, 200}) {
@@ -107,7 +106,7 @@ TEST(Temperature, SimulatedSineTendsToTheShiftedStiffness) {
   EXPECT_LE(errors[1], 1e-3 * std::abs(expected));
 }
 
-// Rig, mount and delay are not of rubber: only K* of the test piece is shifted.
+// Rig, mount and delay are not of rubber, so the temperature shifts K* of the test piece only.
 TEST(Temperature, LeavesRigMountAndDelayAlone) {
   const component::Component component({kSpring, kMaxwell, kMount, kMass, kDelay, wlf()});
   constexpr double kFrequency = 9.0;
@@ -121,8 +120,8 @@ TEST(Temperature, LeavesRigMountAndDelayAlone) {
   EXPECT_LE(std::abs(*component.complexStiffness(kFrequency, kTemperature) - expected), 1e-12 * std::abs(expected));
 }
 
-// F = b(T(t)) times the integral of k exp(-(xi(t) - xi(s))) dz(s) with xi, the reduced time over tau, in closed form
-// for a ramp at two successive temperatures.
+// The closed form is for a ramp at two successive temperatures: F = b(T(t)) times the integral of k exp(-(xi(t) -
+// xi(s))) dz(s), where xi is the reduced time divided by tau.
 TEST(Temperature, ReducedTimeOfAChangeIsExact) {
   const component::Component component({kMaxwell, wlf()});
   constexpr double kRate = 2e-3;  // [m/s]
@@ -152,7 +151,7 @@ TEST(Temperature, ReducedTimeOfAChangeIsExact) {
 
 TEST(Temperature, AtTheReferenceTheBitsAreThoseWithoutAShift) {
   const Entries laws = {kSpring, kDashpot, kMaxwell, kSpringpot, kFriction, kHeating};
-  // Self-heating is no basic law of the kernel, so both components are stepped by the same general code.
+  // The kernel does not contain self-heating, so the same general code steps both components.
   EXPECT_EQ(forces(component::Component(laws + Entries{wlf()}), kReference, 1e-3, 400),
             forces(component::Component(laws), kReference, 1e-3, 400));
 }
@@ -184,7 +183,7 @@ TEST(Temperature, TwoShiftsMultiply) {
 TEST(Temperature, RefusesWhereTheShiftDoesNotHold) {
   const component::Component component({kMaxwell, wlf()});
   component::ComponentState state = component.makeState();
-  // T_0 - C_2 kMostDecades/(kMostDecades + C_1)
+  // The lower bound is T_0 - C_2 kMostDecades/(kMostDecades + C_1).
   const double lowest = 20.0 - 101.6 * 20.0 / 28.86;
   EXPECT_DOUBLE_EQ(component.temperatures().lower, lowest);
   EXPECT_NO_THROW(component.setTemperature(state, lowest + 0.01));
@@ -235,7 +234,7 @@ TEST(Temperature, IsPartOfTheStateThatIsSaved) {
   EXPECT_EQ(component.step(restored, 1e-3, 2e-3).total, component.step(state, 1e-3, 2e-3).total);
 }
 
-// A sample with an infinite force is reverted at the temperature before it, even if the temperature had changed.
+// After a sample with an infinite force, the state before it is restored, including the temperature.
 TEST(TemperatureOfAStream, ASampleTakenBackLeavesTheStateAsItWas) {
   const element::ElementDescription stiffening = entry("progressive_stiffness quintic=1e15");
   const component::Component component({kSpring, kMaxwell, stiffening, wlf()});

@@ -1,5 +1,4 @@
-// Trial steps have no effect: any number of them before the accepted steps gives the forces of the accepted steps
-// alone.
+// Trial steps have no effect: with any number of them in between, the accepted steps give the same forces.
 #include "rubber_suspension/component/trial_stepper.h"
 
 #include "support/allocation_counter.h"

@@ -1,4 +1,4 @@
-// Berg's friction element compared with its closed forms, and its two known weaknesses with measured numbers.
+// Berg's friction element agrees with its closed forms. Two of its known weaknesses have the measured size.
 #include "rubber_suspension/element/berg_friction.h"
 
 #include "element/driver.h"
@@ -7,7 +7,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-// The numbers below are in kN, mm and J, on which the law does not depend.
+// The numbers are in kN, mm and J. The law does not depend on the units.
 struct Settled {
   double amplitude, maximum_force, displacement, force, loss;
 };
@@ -18,7 +18,7 @@ class SettledBerg : public testing::TestWithParam<Settled> {
   element::ElementDescription entry_ = friction(GetParam().maximum_force, GetParam().displacement);
 };
 
-// Berg (1997), computed in closed form to the digits given.
+// The examples are of Berg (1997), computed in closed form to the digits given.
 INSTANTIATE_TEST_SUITE_P(Examples, SettledBerg,
                          testing::Values(Settled{2.0, 1.5, 0.5, 1.05234, 4.44002},
                                          Settled{10.0, 1.0, 0.3, 0.944870, 31.9131}));
@@ -34,7 +34,7 @@ TEST_P(SettledBerg, SimulatedLoopCloses) {
   law_.startSettled(amplitude, 0.0, driver.memory());
   driver.step(1.0, -amplitude);
   EXPECT_NEAR(driver.output(), -law_.settledForce(amplitude), 1e-12);
-  // The trapezoidal rule with n parts has an error of about (2 A/n)^2 F'/12, 1e-8 of the loss here.
+  // The trapezoidal rule with n parts has an error of about (2 A/n)^2 F'/12, here 1e-8 of the loss.
   constexpr int kSteps = 20000;
   const double up = driver.walk(1.0, amplitude, kSteps);
   EXPECT_NEAR(driver.output(), law_.settledForce(amplitude), 1e-12);
@@ -68,7 +68,7 @@ TEST(BergFriction, DoesNotDependOnRate) {
   }
 }
 
-// After a start at F = 0, small cycles approach the settled loop as exp(-8 N (A/z2)^2).
+// From a start without force, N small cycles of amplitude A approach the settled loop as exp(-8 N (A/z2)^2).
 TEST(BergFriction, StartingOffsetDecays) {
   constexpr double kAmplitude = 0.01;
   constexpr int kCycles = 500;
@@ -80,7 +80,7 @@ TEST(BergFriction, StartingOffsetDecays) {
     driver.step(1.0, -kAmplitude);
     offset = driver.step(1.0, kAmplitude) - law.settledForce(kAmplitude);
   }
-  // This is the leading order in A/z2 = 0.01; the next one is about six times 0.01.
+  // This formula is the leading order in A/z2 = 0.01. The next order is about 6 % of it.
   EXPECT_NEAR(std::log(offset / first) / (-8.0 * kCycles * kAmplitude * kAmplitude), 1.0, 0.07);
 }
 
@@ -92,7 +92,7 @@ TEST(BergFriction, SurvivesFullSaturation) {
   }
 }
 
-// The element forgets earlier reversals, so a small loop within a branch does not close: a known weakness.
+// The element forgets earlier reversals, so a small loop within a branch does not close. This is a known weakness.
 TEST(BergFriction, MinorLoopDoesNotClose) {
   Driver driver(friction(5.0, 2.2));
   EXPECT_NEAR(driver.step(1.0, 2.0), 2.381, 0.5e-3);
@@ -111,12 +111,12 @@ TEST(BergFriction, DeadBandHoldsTheBranchUntilTheReversalIsSure) {
   EXPECT_EQ(driver.step(1.0, 1.9), plain.step(1.0, 1.9)) << "a sure reversal counts from the turning point";
 }
 
-// Peak force and loss of a noisy sine, A = 2, 4 Hz, F_max = 5, z2 = 2.2, averaged over 60 settled cycles. Without noise
-// they are F_f0 = 1.973 and E = 4.291. The other values were found independently with other noise after few cycles,
-// when the peak is still 1 % higher, hence the tolerances.
+// Peak force and loss of a noisy sine of 4 Hz and amplitude 2, with F_max = 5 and z2 = 2.2, over 60 settled cycles.
+// Without noise they are 1.973 and 4.291. Other noise over few cycles, when the peak is still 1 % higher, gave the
+// expected values. Hence the wide tolerances.
 struct Noisy {
-  double sampling, noise;  // [Hz], standard deviation over amplitude
-  bool dead_band;          // of 6 standard deviations
+  double sampling, noise;  // [Hz]; standard deviation divided by the amplitude
+  bool dead_band;          // with a width of 6 standard deviations
   double peak, loss;
 };
 

@@ -1,4 +1,4 @@
-// Bouc-Wen hysteresis compared with closed forms for the exponents 1 and 2, and with its equation for others.
+// Bouc-Wen hysteresis compared with closed forms for exponents 1 and 2, and with its differential equation for others.
 #include "element/driver.h"
 #include "support/test.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kA = 2e6;  // [N/m]
 
-/// Integrates the equation over a displacement `way` by the classical Runge-Kutta method.
+/// Integrates the differential equation over a displacement `way` with the classical Runge-Kutta method.
 double integrated(double h, double way, double beta, double gamma, double n, int steps) {
   const double direction = way < 0.0 ? -1.0 : 1.0;
   const auto rate = [&](double force) {
@@ -23,7 +23,7 @@ double integrated(double h, double way, double beta, double gamma, double n, int
   return h;
 }
 
-// With n = 1 the force relaxes along the way towards A/(beta + gamma), with beta - gamma while unloading.
+// With n = 1 the force tends exponentially to A/(beta + gamma). While unloading, beta - gamma replaces the sum.
 TEST(BoucWen, OfExponentOneIsExponential) {
   const double beta = 600.0;
   const double gamma = 300.0;
@@ -36,7 +36,7 @@ TEST(BoucWen, OfExponentOneIsExponential) {
   EXPECT_NEAR(driver.step(0.01, -1.0), -kA / (beta + gamma), 1e-12 * loaded);
 }
 
-// With n = 2 from rest, h = h_limit tanh(A z/h_limit). With beta = gamma it unloads along a straight line of slope A.
+// With n = 2 the force from rest is h_limit tanh(A z/h_limit). With beta = gamma, unloading is linear with slope A.
 TEST(BoucWen, OfExponentTwoIsAHyperbolicTangent) {
   Driver driver("bouc_wen stiffness=2e6 beta=0.1 gamma=0.1 exponent=2");
   const double limit = std::sqrt(kA / 0.2);
@@ -47,7 +47,7 @@ TEST(BoucWen, OfExponentTwoIsAHyperbolicTangent) {
   EXPECT_NEAR(driver.step(0.01, 100.0), limit, 1e-12 * limit);
 }
 
-// The error stays below the stated one, in single steps of any length, for exponents and asymmetries over the range.
+// The error stays below the stated limit in single steps of any length, for exponents and asymmetries in their range.
 TEST(BoucWen, IsTheEquationToTheStatedError) {
   double worst = 0.0;
   for (const double n : {1.02, 1.5, 2.0, 7.0, 20.0}) {

@@ -1,4 +1,4 @@
-// Entries of component files: refusals with their messages, and defaults.
+// Entries of component files: defaults, and refusals with their messages.
 #include "rubber_suspension/element/catalogue.h"
 
 #include "element/largest_number.h"
@@ -121,7 +121,7 @@ TEST(Range, TellsWhatItAccepts) {
   EXPECT_FALSE(element::Range::positive().contains(0.0));
   EXPECT_TRUE(element::Range::nonNegative().contains(0.0));
   EXPECT_FALSE(element::Range::nonNegative().contains(INFINITY));
-  // The value is too small for products; a signal, which may have either sign, has no such limit.
+  // Values below 1e-100 are too small for products. A signal, which may have either sign, has no such limit.
   EXPECT_FALSE(element::Range::nonNegative().contains(5e-324));
   EXPECT_FALSE(element::Range::closed(0.0, 1.0).contains(1e-101));
   EXPECT_TRUE(element::Range::positive().contains(1e-100));

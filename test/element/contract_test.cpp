@@ -1,4 +1,4 @@
-// The contract of every law: one battery of tests with typical parameters of all laws of the catalogue.
+// The contract of every law: the same tests for all laws of the catalogue, with typical parameters.
 #include <Eigen/Core>
 
 #include "element/driver.h"
@@ -12,9 +12,9 @@ namespace {
 using testing::Eq;
 
 constexpr double kShortestStep = 1e-3;  // [s]
-constexpr double kAmplitude = 1.5e-3;   // [m], beyond gap and yield of the typical parameters
+constexpr double kAmplitude = 1.5e-3;   // [m], larger than the gaps and yield displacements of the typical parameters
 
-/// A reproducible walk of moves with random size, within +-2 amplitudes, and random duration.
+/// A reproducible walk with random displacements up to 2 amplitudes and random time steps.
 class RandomMoves {
  public:
   explicit RandomMoves(unsigned seed) : generator_(seed) {}
@@ -47,7 +47,7 @@ double largest(const std::vector<double>& values) {
   return result;
 }
 
-/// A motion that starts smoothly from rest, so that the acceleration has no jump.
+/// Returns the displacement of a motion that starts smoothly from rest, so that the acceleration does not jump.
 double smoothMotion(double t) {
   return kAmplitude * (std::pow(std::sin(2.0 * element::kPi * 1.3 * t), 3) +
                        0.4 * std::pow(std::sin(2.0 * element::kPi * 5.1 * t), 3));
@@ -76,15 +76,15 @@ double rmsDifference(const std::vector<double>& a, const std::vector<double>& b)
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// Simulates until the slowest relaxation of the typical laws (springpot: tau about 50 s) has decayed by exp(-30).
+/// Simulates until the slowest relaxation of the typical laws (tau of about 50 s) has decayed by exp(-30).
 std::complex<double> simulatedStiffness(const component::Component& component, double frequency, int samples) {
   return settledStiffness(component, frequency, samples, static_cast<int>(1500.0 * frequency) + 1, kAmplitude);
 }
 
-/// Returns the result of an exact step under a sampled sine. The straight lines between samples contain the angular
-/// frequencies w + k w_s, w_s = 2 pi/dt, with shares sinc^2((w + k w_s) dt/2), so K_sampled = sum_k sinc^2(...) K*(w +
-/// k w_s). The shares add up to 1, so the high-frequency limit of K* is separated; pairs of the remaining terms fall as
-/// 1/k^4.
+/// Returns K* as a sampled sine shows it if steps are exact. The straight lines between samples contain the angular
+/// frequencies w + k w_s, w_s = 2 pi/dt, with shares sinc^2((w + k w_s) dt/2), so the result is the sum of shares times
+/// K*(w + k w_s). The shares add up to 1, so the high-frequency limit of K* is taken out of the sum. Pairs of other
+/// terms fall as 1/k^4.
 std::complex<double> sampledStiffness(const component::Component& component, double frequency, int samples_per_cycle) {
   constexpr int kAliases = 200000;
   constexpr double kInfinite = 1e14;  // [Hz]
@@ -181,12 +181,12 @@ INSTANTIATE_TEST_SUITE_P(LawsThatRest, StillContract, typicalElementsThat([](con
 TEST_P(StillContract, StaysAtRestWhereItRests) {
   const double force = component_.initialise(state_, kAmplitude).total;
   for (const double dt : {1e-4, 1.0, 1e4}) {
-    // The operations are the same up to the order of sums, or up to the solver's tolerance behind a mount.
+    // The operations are the same, except for the order of sums and the tolerance of the solver for a mount.
     ASSERT_NEAR(component_.step(state_, dt, kAmplitude).total, force, 1e-12 * std::abs(force)) << dt;
   }
 }
 
-// A file or a simulator may restore any numbers. Those that are a position or a count are checked, and no element
+// A file or a simulator may restore any numbers. Numbers that are a position or a count are checked. No element
 // accesses memory beyond its own.
 TEST_P(Contract, RestoredNumbersAreRefusedOrServed) {
   forcesOfWalk(component_, state_, 6);
@@ -243,7 +243,7 @@ TEST_P(ParallelContract, RawLawAgreesWithComponent) {
   }
 }
 
-// An even characteristic releases energy in one direction, but none over a closed cycle.
+// An even characteristic releases energy in one direction of motion, but none over a closed cycle.
 class PassiveContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(PassiveLaws, PassiveContract, typicalElementsThat([](const element::ElementDescription& law) {
                            return isPassive(law) || isElastic(law);
@@ -266,7 +266,7 @@ TEST_P(PassiveContract, ClosedSettledCycleDissipates) {
     }
     before = force;
   }
-  // An elastic law retraces its path over the same samples, so only rounding remains.
+  // An elastic law retraces its path over the same samples, so its work is zero up to rounding.
   EXPECT_GE(work, -1e-12 * peak * kAmplitude);
   if (!isElastic(GetParam())) {
     EXPECT_GT(work, 1e-4 * peak * kAmplitude) << "a law with loss loses nothing";
@@ -280,8 +280,8 @@ TEST_P(BoundedContract, NeverGivesMoreEnergyThanItGot) {
   constexpr int kParts = 256;
   RandomMoves moves(8);
   double work = 0.0;
-  constexpr double kRounding = 1e-11;  // [N], of the root at an open contact; forces are some kN
-  double uncertainty = 0.0;            // of the trapezoidal rule, for a force that is monotone over a part
+  constexpr double kRounding = 1e-11;  // rounding of the root at an open contact [N]; forces are some kN
+  double uncertainty = 0.0;            // error of the trapezoidal rule for a force that is monotone over a part
   double before = component_.initialise(state_, 0.0).total;
   for (int move = 0; move < 40; ++move) {
     const double start = state_.displacement();
@@ -299,7 +299,7 @@ TEST_P(BoundedContract, NeverGivesMoreEnergyThanItGot) {
   }
 }
 
-/// Returns the forces of a walk whose displacements are a weighted sum of two walks, with alternating temperatures.
+/// Returns the forces of a weighted sum of two walks, with alternating temperatures.
 Eigen::VectorXd walkOfBoth(const component::Component& component, double first, double second) {
   component::ComponentState state = component.makeState();
   RandomMoves moves(10);
@@ -315,8 +315,8 @@ Eigen::VectorXd walkOfBoth(const component::Component& component, double first, 
   return forces;
 }
 
-// Linear laws superpose, all others do not. Rounding and the solver's tolerance behind a series compliance are below
-// 1e-9 of the force; the weakest nonlinearity of the typical laws is far above 1e-4.
+// Linear laws superpose, all others do not. Rounding and the tolerance of the solver for a series compliance are below
+// 1e-9 of the force. The weakest nonlinearity of the typical laws is far above 1e-4.
 TEST_P(Contract, SuperposesWhereTheLawSaysSo) {
   const component::Component component = linearSubject(GetParam());
   const Eigen::VectorXd none = walkOfBoth(component, 0.0, 0.0);
@@ -345,7 +345,7 @@ element::ElementDescription multiplied(element::ElementDescription law, const st
 
 Eigen::VectorXd walkOf(const element::ElementDescription& law) { return walkOfBoth(subject(law), 1.0, 0.0); }
 
-/// Returns the parameters of a role that can be varied: given, and not at the end of their range.
+/// Returns the parameters of a role that can be varied: their value is given and not at a limit of its range.
 std::vector<std::string> parametersOf(const element::ElementDescription& law, element::Role role) {
   std::vector<std::string> names;
   const element::ElementDescription completed = element::complete(law);
@@ -368,11 +368,11 @@ class RoleContract : public testing::TestWithParam<element::ElementDescription> 
 
 INSTANTIATE_TEST_SUITE_P(AllLaws, RoleContract, testing::ValuesIn(typicalElements()), nameOf);
 
-// Rounding of sums of a few hundred products is below 1e-12 of the largest force.
+// Rounding in sums of a few hundred products is below 1e-12 of the largest force.
 TEST_P(RoleContract, TheForceIsLinearInScales) {
   const std::vector<std::string> scales = parametersOf(law_, element::Role::scale);
   if (scales.empty()) {
-    return;  // its parameters have other roles, which have their own tests
+    return;  // parameters with other roles have their own tests
   }
   ASSERT_TRUE(addsForce(law_));
   EXPECT_LE((walkOf(multiplied(law_, scales, 2.0)) - 2.0 * force_).cwiseAbs().maxCoeff(), 1e-12 * largest_);
@@ -384,12 +384,12 @@ TEST_P(RoleContract, TheForceIsLinearInScales) {
   }
 }
 
-/// With an exponent of 1 alone, the force is linear in this shape.
+/// Returns true for the stiffness of Bouc-Wen with exponent 1, the only shape parameter in which a force is linear.
 bool scalesByChance(const element::ElementDescription& law, const std::string& name) {
   return law.type == "bouc_wen" && law.value("exponent") == 1.0 && name == "stiffness";
 }
 
-// Reducing a shape by a tenth changes the force by at least 1e-5 of it, but does not simply scale it.
+// Reducing a shape parameter by a tenth changes the force by at least 1e-5 of it, but does not simply scale the force.
 TEST_P(RoleContract, ShapesActOnTheForceButDoNotScaleIt) {
   for (const std::string& name : parametersOf(law_, element::Role::shape)) {
     const Eigen::VectorXd changed = walkOf(multiplied(law_, {name}, 0.9));
@@ -399,8 +399,8 @@ TEST_P(RoleContract, ShapesActOnTheForceButDoNotScaleIt) {
   }
 }
 
-// A log cannot distinguish a reference from the scale that holds there, so fits do not vary it. Powers of ratios are
-// accurate to 1e-11 of the force.
+// Fits do not vary a reference, because changing its value only scales the force. Powers of ratios are accurate to
+// 1e-11 of the force.
 TEST_P(RoleContract, ReferencesOnlyScaleTheForce) {
   for (const std::string& name : parametersOf(law_, element::Role::reference)) {
     const Eigen::VectorXd changed = walkOf(multiplied(law_, {name}, 0.9));
@@ -414,7 +414,7 @@ TEST_P(Contract, RefiningTheStepConverges) {
   const double coarse = rmsDifference(forcesOfSmoothMotion(component_, 1), reference);
   const double fine = rmsDifference(forcesOfSmoothMotion(component_, 8), reference);
   const double negligible = 1e-11 * largest(reference);
-  // An error of first order in dt falls to 1/8 (plus 1/128 of the reference's own error), with some scatter because
+  // An error of first order falls to 1/8, plus 1/128 for the error of the reference. It scatters a little, because
   // samples miss the turning points.
   EXPECT_LE(fine, std::max(negligible, 0.2 * coarse)) << "coarse " << coarse;
 }
@@ -436,11 +436,11 @@ TEST_P(ExactContract, SplittingAStepChangesNothing) {
     component_.step(split, share * dt, start + share * (end - start));
     split_forces.push_back(component_.step(split, dt - share * dt, end).total);
   }
-  // Each step rounds by some 1e-16; differences of displacement over small parts of a step lose two more digits.
+  // Each step has a rounding error of some 1e-16. Differences over small parts of a step lose two more digits.
   EXPECT_LE(rmsDifference(whole_forces, split_forces), 1e-12 * largest(whole_forces));
 }
 
-// Drift is excluded because its loop never closes.
+// A drift is excluded because its loop never closes.
 class LinearContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(LinearLaws, LinearContract, typicalElementsThat([](const element::ElementDescription& law) {
                            return linearSubject(law).linear() && law.type != "force_drift";
@@ -455,10 +455,10 @@ TEST_P(LinearContract, SettledSineTendsToComplexStiffness) {
   const double fine = std::abs(simulatedStiffness(component, kFrequency, 80) - expected);
   const double negligible = 1e-9 * std::max(1e3, std::abs(expected));
   EXPECT_LE(fine, std::max(negligible, 0.55 * coarse)) << expected;  // first order or better
-  EXPECT_LE(fine, std::max(negligible, 0.06 * std::abs(expected)));  // half a step's phase is pi/80 = 0.04
+  EXPECT_LE(fine, std::max(negligible, 0.06 * std::abs(expected)));  // half a step is a phase of pi/80 = 0.04
 }
 
-// The K* of a dashpot grows without limit; its own test has a closed form.
+// K* of a dashpot grows without limit. Its own test uses a closed form instead.
 class SampledContract : public Contract {};
 INSTANTIATE_TEST_SUITE_P(ExactLawsWithFiniteStiffness, SampledContract,
                          typicalElementsThat([](const element::ElementDescription& law) {

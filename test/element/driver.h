@@ -1,4 +1,4 @@
-// Steps a single law, for tests of its formulas.
+// Classes and functions that step a single law, for tests of its formulas.
 #pragma once
 
 #include "rubber_suspension/element/catalogue.h"
@@ -8,19 +8,19 @@ namespace rubber_suspension::test {
 
 using Law = std::shared_ptr<const element::ParallelElement>;
 
-/// Returns the law of an entry whose force adds.
+/// Returns the law of an entry that adds a force.
 inline Law lawOf(const element::ElementDescription& description) {
   return std::get<Law>(element::makeElement(description));
 }
 inline Law lawOf(const std::string& text) { return lawOf(entry(text)); }
 
-/// Returns the force of a law at rest at a displacement [N].
+/// Returns the force [N] of a law at rest at a displacement [m].
 inline double forceAt(const Law& law, double displacement) {
   std::vector<double> memory(law->memorySize());
   return law->initialise(displacement, memory.data());
 }
 
-/// Steps a law whose force adds, or an effect on the displacement, and stores its memory and displacement.
+/// Steps a law that adds a force or changes the displacement, and stores its memory and displacement.
 class Driver {
  public:
   explicit Driver(const std::string& text, double start = 0.0) : Driver(entry(text), start) {}
@@ -31,17 +31,17 @@ class Driver {
     output_ = apply([&](const auto& law) { return law.initialise(start, memory_.data()); });
   }
 
-  /// Steps for dt [s] to a displacement [m] and returns the output, a force [N] or a displacement [m].
+  /// Steps by dt [s] to a displacement [m], and returns the output: a force [N] or a displacement [m].
   double step(double dt, double displacement) {
     const element::Motion motion{dt, displacement, displacement - displacement_};
     displacement_ = displacement;
     return output_ = apply([&](const auto& law) { return law.step(motion, memory_.data()); });
   }
 
-  /// Rests for long at the present displacement and returns the force [N].
+  /// Relaxes fully at the present displacement and returns the force [N].
   double relax() { return output_ = law().relax(displacement_, memory_.data()); }
 
-  /// Moves along a straight line in `steps` steps and returns the work [J] by the trapezoidal rule.
+  /// Moves along a straight line in `steps` steps, and returns the work [J] from the trapezoidal rule.
   double walk(double duration, double displacement, int steps) {
     const double start = displacement_;
     double work = 0.0;

@@ -1,4 +1,4 @@
-// Friction laws with limits that vary, slide, flow or act behind a play, and the force of a first loading.
+// Friction laws whose limits vary, slide, flow or act behind a play, and the force during a first loading.
 #include "element/driver.h"
 #include "element/implicit_flow.h"
 #include "support/test.h"
@@ -6,7 +6,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-constexpr double kStiffness = 1e6;  // [N/m] of all laws here
+constexpr double kStiffness = 1e6;  // stiffness of all laws here [N/m]
 
 TEST(VariableFriction, LimitGrowsWithDisplacementToEitherSide) {
   Driver driver("variable_friction stiffness=1e6 yield_displacement=4e-4 growth_displacement=1e-3");
@@ -14,7 +14,7 @@ TEST(VariableFriction, LimitGrowsWithDisplacementToEitherSide) {
   EXPECT_NEAR(driver.step(0.01, -4e-3), -5.0 * 400.0, 1e-9);
 }
 
-// At the limit the force falls by a factor of e over the travel and does not recover at rest.
+// Sliding by the travel reduces the maximum force by a factor of e. A rest does not restore it.
 TEST(VariableFriction, WearsAlongTheTravelForGood) {
   Driver driver("variable_friction stiffness=1e6 yield_displacement=4e-4 travel=0.05");
   EXPECT_NEAR(driver.step(0.01, 0.05), 400.0 * std::exp(-1.0), 1e-9);
@@ -41,7 +41,7 @@ TEST(VariableFriction, BuildsUpAtRest) {
   EXPECT_NEAR(driver.memory()[1], 1.0, 1e-12);
 }
 
-// 1e6 explicit steps per cycle have an error of 1e-5, 4000 implicit ones of dt v_0/y, 3e-3 of the limit.
+// The 1e6 explicit steps of the reference have an error of 1e-5, the 4000 implicit steps one of 3e-3 of the limit.
 TEST(ViscoplasticFriction, StepsSolveTheEquation) {
   Driver driver("viscoplastic_friction stiffness=1e6 yield_displacement=4e-4 half_rate=5e-3");
   constexpr int kSteps = 4000;
@@ -87,7 +87,7 @@ TEST(FlowRoot, SolvesItsEquation) {
 TEST(Overstress, KeepsItsLimitInAHold) {
   Driver driver("overstress stiffness=1e6 yield_displacement=2e-4 reference_rate=0.01 power=2");
   driver.walk(1.0, 0.01, 1000);
-  driver.walk(1e4, 0.01, 1000);  // x' = -v_r/y x^2 leaves y/(v_r t) = 2e-6 of the limit
+  driver.walk(1e4, 0.01, 1000);  // after a time t, x' = -v_r/y x^2 has decayed to y/(v_r t) = 2e-6 of the limit
   EXPECT_NEAR(driver.output(), 200.0, 1e-5 * 200.0);
 }
 
@@ -100,13 +100,13 @@ TEST(FrictionBehindPlay, IsMissingOverTwiceTheGapAfterAReversal) {
   EXPECT_NEAR(driver.step(0.01, 1.2e-3 - 1e-4), -100.0, 1e-9) << "contact on the other side after 0.4 mm more";
 }
 
-// The loss is 4 k y (A - g - y), integrated by trapezoids of 1/4000 of the way.
+// With amplitude A and gap g the loss is 4 k y (A - g - y). Each trapezoid spans 1/4000 of a stroke.
 TEST(FrictionBehindPlay, LosesWhatItsFormulaSays) {
   Driver driver("friction_behind_play stiffness=1e6 yield_displacement=4e-4 gap=2e-4");
   EXPECT_NEAR(settledWork(driver, 2e-3, 2, 4000), 4.0 * 400.0 * (2e-3 - 6e-4), 1e-6);
 }
 
-// In steady motion the force is F = k tau v or k y; after a reversal it relaxes and then vanishes within the gap.
+// The force of steady motion is k tau v or k y. After a reversal it relaxes, and is zero within the gap.
 TEST(DamperBehindPlay, IsMissingAfterAReversal) {
   for (const auto& [law, force, tolerance] :
        {std::tuple("maxwell_behind_play stiffness=1e6 break_frequency=200 gap=1e-3",
@@ -123,8 +123,8 @@ TEST(DamperBehindPlay, IsMissingAfterAReversal) {
   }
 }
 
-// With d' = -v_r sqrt(d/y), sqrt(d) falls by v_r/(2 sqrt(y)) per second. The error of the implicit step is half a step
-// of that rate, 2.5e-5 of 100 N with steps of 1e-6 s.
+// With d' = -v_r sqrt(d/y), the root of d falls at a rate of v_r/(2 sqrt(y)). With steps of 1e-6 s, the error of the
+// implicit method is 2.5e-5 of 100 N, half a step at this rate.
 TEST(PowerDashpotBehindPlay, SlowsDownInClosedForm) {
   Driver driver("power_dashpot_behind_play stiffness=1e6 displacement=1e-4 reference_rate=0.05 exponent=2 gap=1e-3");
   driver.walk(1.0, 0.05, 1000);
@@ -135,7 +135,7 @@ TEST(PowerDashpotBehindPlay, SlowsDownInClosedForm) {
 TEST(FirstLoading, CarriesItsShareOfTheDisplacementFromZeroOn) {
   Driver driver("first_loading stiffness=1e6 yield_share=0.25");
   for (const double z : {1e-4, 1e-3, 2.5e-3}) {
-    // d = b z/(1 + b) solves dd/dz = 1 - d/(b z).
+    // The solution of dd/dz = 1 - d/(b z) is d = b z/(1 + b).
     EXPECT_NEAR(driver.step(0.01, z), kStiffness * 0.2 * z, 1e-9);
   }
   EXPECT_NEAR(driver.step(0.01, 2e-3 + 1e-9), kStiffness * 1e-9, 1e-6) << "returns along a spring";
@@ -143,7 +143,7 @@ TEST(FirstLoading, CarriesItsShareOfTheDisplacementFromZeroOn) {
   EXPECT_NEAR(driver.step(0.01, -1e-3), -kStiffness * 0.2e-3, 1e-9) << "the other side is new";
 }
 
-// Euler's method integrates the equation in steps of 1e-5 of the way. Its error is far smaller than the tolerance.
+// Euler's method with steps of 1e-5 of the displacement has an error far below the tolerance.
 TEST(FirstLoading, FollowsItsEquationFromAReachOn) {
   Driver driver("first_loading stiffness=1e6 yield_share=0.1");
   driver.step(0.01, 1e-3);
@@ -181,7 +181,7 @@ TEST(FirstLoading, OfOneSideLeavesTheOtherAlone) {
   EXPECT_LT(driver.step(0.01, -1e-3), 0.0);
 }
 
-// Without a dead band, some hundred outward samples of noise would move the reach and remove all force.
+// Without a dead band, some hundred noisy samples would move the reach outwards and remove all of the force.
 TEST(FirstLoading, NoiseWithinTheDeadBandTakesNothing) {
   Driver driver("first_loading stiffness=1e6 yield_share=0.1 dead_band=1e-5");
   driver.step(0.01, 1e-3);

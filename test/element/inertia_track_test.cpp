@@ -1,4 +1,4 @@
-// The hydraulic mount: closed forms of its step, its two parametrisations, its decoupler.
+// The hydraulic mount: closed forms of a step, its two parametrisations, and its decoupler.
 #include "element/driver.h"
 #include "support/test.h"
 
@@ -14,7 +14,7 @@ element::ElementDescription track(double free_travel = 0.0, double quadratic_dam
                {{"free_travel", free_travel}, {"quadratic_damping", quadratic_damping}});
 }
 
-// After a sudden displacement the force is that of a free damped oscillator.
+// After a sudden displacement the force is the same as for a damped oscillator.
 TEST(InertiaTrack, SwingsFreelyAfterAStep) {
   Driver driver(track());
   driver.step(1e-9, 1e-3);
@@ -23,23 +23,23 @@ TEST(InertiaTrack, SwingsFreelyAfterAStep) {
   for (const double t : {0.01, 0.05, 0.2}) {
     Driver copy = driver;
     const double expected = kStiffness * 1e-3 * std::exp(-decay * t) * (std::cos(w * t) + decay / w * std::sin(w * t));
-    EXPECT_NEAR(copy.step(t, 1e-3), expected, 1e-6 * kStiffness * 1e-3) << t;  // the step of 1 ns is finite
+    EXPECT_NEAR(copy.step(t, 1e-3), expected, 1e-6 * kStiffness * 1e-3) << t;  // the step takes 1 ns instead of none
   }
 }
 
-// |K*| vanishes at low frequency, the loss has its peak near sqrt(k_h/m), and K* tends to k_h above.
+// |K*| tends to zero at low and to the stiffness k_h at high frequency. The loss has a peak near sqrt(k_h/m).
 TEST(InertiaTrack, HasThePeakOfAHydraulicMount) {
   const Law law = lawOf(track());
   const double resonance = std::sqrt(kStiffness / kMass);
-  EXPECT_LE(std::abs(*law->complexStiffness(0.01 * resonance)), 5e-3 * kStiffness);  // damping c w of the track
+  EXPECT_LE(std::abs(*law->complexStiffness(0.01 * resonance)), 5e-3 * kStiffness);  // damping of the track, c w
   EXPECT_NEAR(std::abs(*law->complexStiffness(100.0 * resonance)), kStiffness, 1e-3 * kStiffness);
   const auto loss = [&](double ratio) { return law->complexStiffness(ratio * resonance)->imag(); };
   EXPECT_GT(loss(1.0), loss(0.8));
   EXPECT_GT(loss(1.0), loss(1.2));
 }
 
-// Returns the largest error of a track in steps of dt [s], relative to the largest force. The reference is the
-// semi-implicit Euler method in steps of half a microsecond.
+// Returns the largest error of a track in steps of dt [s], relative to the largest force. The reference uses the
+// semi-implicit Euler method with steps of half a microsecond.
 double errorOf(double free, double quadratic, double dt) {
   constexpr double kFine = 5e-7;
   Driver driver(track(free, quadratic));
@@ -67,17 +67,17 @@ double errorOf(double free, double quadratic, double dt) {
 }
 
 TEST(InertiaTrack, WithADecouplerIsTheEquation) {
-  // This is the error of the reference: its steps are 1e-5 rad of the resonance, over 5 periods.
+  // The tolerance is the error of the reference, with steps of 1e-5 rad of the resonance over 5 periods.
   EXPECT_LE(errorOf(2e-4, 0.0, 2e-3), 1e-3);
 }
 
 double errorOfQuadraticLoss(double dt) {
-  constexpr double kQuadratic = 2e5;  // at 7 Hz and 1 mm of the fluid, some 1.5 times the linear damping
+  constexpr double kQuadratic = 2e5;  // some 1.5 times the linear damping at 7 Hz and 1 mm of fluid displacement
   return errorOf(0.0, kQuadratic, dt);
 }
 
-// A step of 2 ms, 0.13 rad of the resonance, is computed in one part. Measured errors are 1.65e-3, 4.1e-4 and 1.6e-3;
-// the reference, with steps of 3e-5 rad, has an error of some 3e-5.
+// A step of 2 ms (0.13 rad of the resonance) is computed in one part. Measured errors are 1.65e-3 at 2 ms, 4.1e-4 at 1
+// ms and 1.6e-3 at 8 ms. The reference has steps of 3e-5 rad and an error of some 3e-5.
 TEST(InertiaTrack, WithQuadraticLossIsOfSecondOrder) {
   const double at_2_ms = errorOfQuadraticLoss(2e-3);
   const double at_1_ms = errorOfQuadraticLoss(1e-3);

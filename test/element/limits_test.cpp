@@ -1,29 +1,29 @@
-// Laws that equal another law in a limit, at a steady rate or within a gap.
+// Laws that equal another law in a limit, at a steady rate, or within a gap.
 #include "element/driver.h"
 #include "support/test.h"
 
 namespace rubber_suspension::test {
 namespace {
 
-/// Two components whose forces agree under random moves within a reach.
+/// Two components whose forces must agree under random motion.
 struct Limit {
   std::string name;
   Entries law;
   Entries other;
   double dt;              // [s]
-  double reach;           // [m]
+  double reach;           // largest displacement [m]
   double tolerance;       // [N]
-  int samples = 0;        // per cycle if the motion is a sine
-  bool relative = false;  // the tolerance is a share of the force
+  int samples = 0;        // samples per cycle if the motion is a sine
+  bool relative = false;  // the tolerance is relative to the force
 };
 
-const double kOneHertz = 2.0 * element::kPi;  // [rad/s]
+const double kOneHertz = 2.0 * element::kPi;  // angular frequency of 1 Hz [rad/s]
 const std::string kFluid = "inertia_track inertance=1e7 resistance=2.4e8 compliance=2.5e-11 pumping_area=5e-3";
 
 const std::vector<Limit> kLimits = {
     {"springpot_of_order_0",
      {entry("springpot stiffness=1e6 order=1e-6 low_frequency=0.01 high_frequency=100")},
-     // The error is that of |x^alpha - 1|, 1e-6 ln x, plus rounding.
+     // The law differs from a spring by |x^alpha - 1|, some 1e-6 ln x, plus rounding.
      {spring(1e6)},
      0.01,
      1e-3,
@@ -57,7 +57,7 @@ const std::vector<Limit> kLimits = {
      0.02,
      3e-3,
      0.0},
-    // Motion of 10 mm changes the relaxation rate and the network by 1e-14, less than rounding.
+    // Moving by 10 mm changes the relaxation rate and the network by 1e-14, which is less than rounding.
     {"payne_maxwell_for_a_long_travel",
      {entry("payne_maxwell stiffness=1e6 break_frequency=2 recovery_time=0.3 travel=1e12")},
      {maxwell(1e6, 2.0)},
@@ -95,14 +95,14 @@ const std::vector<Limit> kLimits = {
      0.01,
      2e-3,
      1e-9},
-    // While it slides, the implicit step is below the limit by the share v_0 dt/(dz - ...) < 1e-10.
+    // While friction slides, the force of the implicit step is less than 1e-10 below the limit.
     {"viscoplastic_friction_far_above_its_half_rate",
      {entry("viscoplastic_friction stiffness=1e6 yield_displacement=4e-4 half_rate=1e-12")},
      {entry("coulomb_friction maximum_force=400 stiffness=1e6")},
      0.01,
      2e-3,
      1e-8 * 400.0},
-    // The amplitude is a 4000th of y. The implicit method lags by half a step, 0.5 dt/tau = 3e-3 of the force k z.
+    // The amplitude is far below the yield displacement. The implicit method lags by half a step, 3e-3 of k z.
     {"viscoplastic_friction_of_small_force",
      {entry("viscoplastic_friction stiffness=1e6 yield_displacement=4e-4 half_rate=5e-3")},
      {maxwell(1e6, 5e-3 / 4e-4 / kOneHertz)},
@@ -159,7 +159,7 @@ TEST_P(InALimit, IsTheOtherLaw) {
   }
 }
 
-/// A force to which a law tends at a steady rate.
+/// The force that a law reaches at a steady rate.
 struct Flow {
   std::string law;
   double rate;      // [m/s]
@@ -170,29 +170,29 @@ struct Flow {
 };
 
 std::vector<Flow> flows() {
-  constexpr double kViscous = 1e6 * 0.05 / (2.0 * element::kPi * 2.0);  // k tau v
+  constexpr double kViscous = 1e6 * 0.05 / (2.0 * element::kPi * 2.0);  // force k tau v of a Maxwell element [N]
   std::vector<Flow> flows = {
-      // k tau v = F (1 + F/(k y))
+      // The force F solves k tau v = F (1 + F/(k y)).
       {"nonlinear_maxwell stiffness=1e6 break_frequency=2 displacement=5e-4", 0.05, 2.0, 20000,
        500.0 * (std::sqrt(0.25 + kViscous / 500.0) - 0.5), 1e-4 * kViscous},
-      // k v/(1/tau + v/s); Dahl's limit k s; k s m with m = 1/(1 + v T/s)
+      // The three limits are k v/(1/tau + v/s), k s (as for Dahl's law), and k s m with m = 1/(1 + v T/s).
       {"payne_maxwell stiffness=1e6 break_frequency=2 recovery_time=0.3 travel=5e-3", 0.05, 20.0, 20000,
        1e6 * 0.05 / (2.0 * element::kPi * 2.0 + 0.05 / 5e-3), 1e-9},
       {"payne_maxwell stiffness=1e6 break_frequency=0 recovery_time=0 travel=5e-4", 0.05, 2.0, 1, 500.0, 1e-9},
       {"transient_network stiffness=1e6 break_frequency=0 recovery_time=0.3 travel=5e-3", 0.05, 10.0, 1,
        5e3 / (1.0 + 0.05 * 0.3 / 5e-3), 1e-9},
-      // Wear and build-up balance at m = 1/(1 + v T_b/s).
+      // Wear and build-up are in balance at a limit of m = 1/(1 + v T_b/s) times its full value.
       {"variable_friction stiffness=1e6 yield_displacement=4e-4 travel=2e-3 build_up_time=0.5", 0.01, 20.0, 1,
        400.0 / (1.0 + 0.01 * 0.5 / 2e-3), 1e-9},
-      // c v + c_2 v^2. Steps of 1 ms have an error of 1e-4 of the quadratic part (see inertia_track_test.cpp).
+      // The force is c v + c_2 v^2. Steps of 1 ms have an error of 1e-4 of c_2 v^2 (see inertia_track_test.cpp).
       {"inertia_track mass=250 damping=6e3 stiffness=1e6 quadratic_damping=2e5", 0.05, 1.0, 1000,
        6e3 * 0.05 + 2e5 * 0.05 * 0.05, 0.5}};
-  // The column of an inertia track follows at v with the damping force c v; damping is critical at 9 kg = c^2/(4 k).
+  // The fluid moves at the speed v, with the damping force c v. Damping is critical for 9 kg, c^2/(4 k).
   for (const double mass : {250.0, 9.0, 0.5}) {
     flows.push_back(
         {fmt::format("inertia_track mass={} damping=6e3 stiffness=1e6", mass), 0.01, 100.0, 1, 60.0, 1e-9 * 6e3});
   }
-  // F = k y (v/v_r)^p up to rounding, because a step uses the flow at its end.
+  // The force is k y (v/v_r)^p up to rounding, because a step uses the flow at its end.
   for (const double exponent : {0.5, 0.8, 1.0, 1.7, 2.0}) {
     for (const double rate : {0.025, 0.05, 0.1}) {
       flows.push_back({fmt::format("power_dashpot_behind_play stiffness=1e6 displacement=1e-4 reference_rate=0.05 "
@@ -209,7 +209,7 @@ std::vector<Flow> flows() {
            10.0, 4000, force, 1e-4 * force});
     }
   }
-  // The force at the half rate is half of the limit. The transient decays with y/v_0 = 80 ms or faster, to 1e-11.
+  // At the half rate, the force is half of the limit. The transient decays to 1e-11 with y/v_0 = 80 ms or faster.
   for (const double share : {-9.0, -1.0, -0.1, 0.1, 1.0, 9.0}) {
     flows.push_back({"viscoplastic_friction stiffness=1e6 yield_displacement=4e-4 half_rate=5e-3", 5e-3 * share, 2.0,
                      2000, 400.0 * share / (1.0 + std::abs(share)), 1e-8 * 400.0});

@@ -1,4 +1,4 @@
-// Maxwell element, dashpot, springpot and creep compared with closed forms in time and frequency, and their limits.
+// Maxwell element, dashpot, springpot and creep, compared with closed forms in time and frequency and with limits.
 #include <boost/math/special_functions/expint.hpp>
 
 #include "element/driver.h"
@@ -19,7 +19,7 @@ TEST(Maxwell, RelaxesAsAnExponential) {
   EXPECT_NEAR(driver.step(0.3, 1e-3), 2e3 * std::exp(-0.3 / law.relaxationTime()), 1e-6);
 }
 
-// At constant velocity v, F = c v (1 - exp(-t/tau)), c = k tau, in one step or in many.
+// At constant velocity v the force is c v (1 - exp(-t/tau)), c = k tau, whether the motion takes one step or many.
 TEST(Maxwell, RampIsExactAtAnyStep) {
   const double tau = 1.0 / (2.0 * element::kPi * 1.5);
   for (const int steps : {1, 3, 1000}) {
@@ -38,7 +38,7 @@ TEST(Maxwell, StepCoefficientsKeepTheirDigitsAtAnyRatio) {
   }
 }
 
-// In Polach's example (kN/mm), K_st = 3 and one element of f_b and k1 give K = 4.2 at 4 Hz with these loss angles.
+// In Polach's example, a spring of 3 kN/mm and an element with f_b and k1 have 4.2 kN/mm and these angles at 4 Hz.
 TEST(Maxwell, MeetsThePapersExample) {
   struct Row {
     double break_frequency, stiffness, angle;
@@ -47,7 +47,7 @@ TEST(Maxwell, MeetsThePapersExample) {
                          Row{4.0, 2.1264, 14.66}, Row{8.0, 4.2250, 23.73}}) {
     const std::complex<double> k =
         3.0 + *element::Maxwell(row.stiffness, row.break_frequency).complexStiffness(2.0 * element::kPi * 4.0);
-    EXPECT_NEAR(std::abs(k), 4.2, 1e-4);  // the four decimals of k1
+    EXPECT_NEAR(std::abs(k), 4.2, 1e-4);  // k1 has four decimals
     EXPECT_NEAR(degrees(k), row.angle, 0.005 + 1e-3);
   }
 }
@@ -63,14 +63,14 @@ TEST(Maxwell, LimitsAreSpringAndDashpot) {
   EXPECT_NEAR(std::abs(dashpot / std::complex<double>(0.0, omega * damping) - 1.0), 0.0, 1e-8);
 }
 
-/// Returns the ratio of the first harmonic under a sine of 4 Hz to K*.
+/// Returns the first harmonic of the force under a sine of 4 Hz, divided by the displacement and by K*.
 std::complex<double> settledShare(const char* law, int samples) {
   Driver driver(law);
   const auto step = [&](double dt, double displacement) { return driver.step(dt, displacement); };
   return settledStiffness(4.0, samples, 2, 1.0, step) / *driver.law().complexStiffness(2.0 * element::kPi * 4.0);
 }
 
-// The rate of the last step of a sampled sine gives c (1 - exp(-i w dt))/dt, which lags by half a step.
+// The velocity of the last step of a sampled sine gives c (1 - exp(-i w dt))/dt, which lags by half a step.
 TEST(Dashpot, SampledSineInClosedForm) {
   constexpr double kAngle = 2.0 * element::kPi / 40.0;
   const std::complex<double> expected = (1.0 - std::polar(1.0, -kAngle)) / std::complex<double>(0.0, kAngle);
@@ -78,8 +78,8 @@ TEST(Dashpot, SampledSineInClosedForm) {
   EXPECT_NEAR(std::arg(expected), -0.5 * kAngle, 1e-12);
 }
 
-// The rate of a parabola is exact for any step lengths. Under a sine, the loss stiffness has an error of (w dt)^2/3 and
-// the phase of (w dt)^3/4 at most.
+// The velocity of a parabola is exact for any step lengths. Under a sine, the loss stiffness has an error of (w
+// dt)^2/3, and the phase an error of at most (w dt)^3/4.
 TEST(SmoothDashpot, IsExactForAParabolaAndHasNoLag) {
   Driver parabola("dashpot damping=2e4 order=2");
   double t = 0.0;
@@ -105,7 +105,7 @@ TEST(PowerDashpot, FollowsThePowerOfTheRate) {
 }
 
 TEST(ThinningDashpot, HasALimitOfItsForce) {
-  for (const auto& [rate, force, tolerance] : {std::tuple(1e-7, 2e4 * 1e-7, 2e4 * 1e-7 * 3e-6),  // |v|/v_h
+  for (const auto& [rate, force, tolerance] : {std::tuple(1e-7, 2e4 * 1e-7, 2e4 * 1e-7 * 3e-6),  // tolerance |v|/v_h
                                                {0.05, 0.5 * 2e4 * 0.05, 1e-9},
                                                {-0.05, -0.5 * 2e4 * 0.05, 1e-9},
                                                {1e5, 2e4 * 0.05, 1e-3}}) {
@@ -115,7 +115,7 @@ TEST(ThinningDashpot, HasALimitOfItsForce) {
   }
 }
 
-// Returns the damping at a place from a steady rate, with steps far below the reference displacement.
+// Returns the damping at a displacement, from a steady velocity with steps far below the reference displacement.
 double dampingAt(double side, double place) {
   Driver driver(entry("position_dashpot damping=2e4 reference_displacement=1e-3 power=3", {{"side", side}}),
                 place - 1e-9);
@@ -132,7 +132,7 @@ TEST(PositionDashpot, GrowsTowardsItsSideByAPower) {
   EXPECT_NEAR(dampingAt(-1.0, -1e-3), 2e4, 1e-3);
 }
 
-/// K_r (i f/f_r)^alpha, the law that a springpot realises.
+/// Returns K* of the law that a springpot approximates, K_r (i f/f_r)^alpha.
 std::complex<double> springpotLaw(double order, double frequency) {
   return 1e6 * std::polar(std::pow(frequency / 4.0, order), 0.5 * element::kPi * order);
 }
@@ -166,7 +166,7 @@ TEST(Springpot, AllElementsArePassive) {
   }
 }
 
-// After a step of displacement the force is K_r z (2 pi f_r t)^-alpha / Gamma(1 - alpha).
+// After a step of the displacement z, the force is K_r z (2 pi f_r t)^-alpha / Gamma(1 - alpha).
 TEST(Springpot, RelaxesAsAPowerOfTime) {
   Driver driver("springpot stiffness=1e6 order=0.3 reference_frequency=4 low_frequency=0.001 high_frequency=1000");
   driver.step(1e-9, 1e-3);
@@ -175,7 +175,7 @@ TEST(Springpot, RelaxesAsAPowerOfTime) {
     const double force = driver.step(next - time, 1e-3);
     time = next;
     const double expected = 1e3 * std::pow(2.0 * element::kPi * 4.0 * time, -0.3) / std::tgamma(0.7);
-    EXPECT_NEAR(force / expected, 1.0, 2e-3) << time;  // error of the bank in frequency, transformed to time
+    EXPECT_NEAR(force / expected, 1.0, 2e-3) << time;  // error of the approximation in frequency, transformed to time
   }
 }
 
@@ -189,7 +189,7 @@ TEST(Creep, ForceFallsLinearlyInTheLogarithmOfTime) {
   for (double next : {1.0, 10.0, 100.0, 1e3, 1e4}) {
     const double force = driver.step(next - time, 1e-3);
     if (time > 0.0) {
-      // A spectrum that is constant up to T = 1e5 s gives S z/ln 10 (E1(t1/T) - E1(t2/T)); the bank ripples about it.
+      // A spectrum S constant up to T = 1e5 s gives S z/ln 10 (E1(t1/T) - E1(t2/T)). The law ripples about it.
       const double spectrum =
           (boost::math::expint(1, time / 1e5) - boost::math::expint(1, next / 1e5)) / std::log(10.0);
       EXPECT_NEAR(before - force, kPerDecade * 1e-3 * spectrum, 5e-3 * kPerDecade * 1e-3) << next;

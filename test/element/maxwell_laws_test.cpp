@@ -1,4 +1,4 @@
-// Maxwell elements that slide, break down, yield or follow a curve: steady motion, relaxation, their equations.
+// Maxwell elements that slide, break down, yield or follow a curve: steady motion, relaxation, differential equations.
 #include "element/driver.h"
 #include "support/test.h"
 
@@ -6,9 +6,9 @@ namespace rubber_suspension::test {
 namespace {
 
 constexpr double kStiffness = 1e6;
-constexpr double kRelaxation = 1.0 / (2.0 * element::kPi * 2.0);  // at 2 Hz
+constexpr double kRelaxation = 1.0 / (2.0 * element::kPi * 2.0);  // relaxation time for 2 Hz [s]
 
-// Returns the storage stiffness of the last of `cycles` cycles by Fourier's integral.
+// Returns the storage stiffness in the last of `cycles` cycles from Fourier's integral.
 double storageStiffness(Driver& driver, double frequency, double amplitude, int cycles) {
   constexpr int kSamples = 400;
   double stiffness = 0.0;
@@ -26,7 +26,7 @@ TEST(SlidingMaxwell, SlidesAtItsLimitAndRelaxesBelow) {
   EXPECT_NEAR(driver.step(kRelaxation, 2e-3), 400.0 * std::exp(-1.0), 1e-9);
 }
 
-// Far above the break frequency the element acts as friction, far below it as a dashpot that does not slide.
+// Far above the break frequency, the element acts as friction. Far below, it acts as a dashpot without sliding.
 TEST(SlidingMaxwell, FrictionShowsAtHighFrequencyOnly) {
   const auto stiffness = [](double frequency, double amplitude) {
     Driver driver("sliding_maxwell stiffness=1e6 break_frequency=2 yield_displacement=4e-4");
@@ -43,7 +43,7 @@ TEST(SlidingMaxwell, FrictionShowsAtHighFrequencyOnly) {
   EXPECT_NEAR(stiffness(0.1, 2e-3) / stiffness(0.1, 2e-4), 1.0, 1e-9);
 }
 
-// One exact step is compared with 1e5 explicit ones, whose error is 1e-5, also for equal rates.
+// One exact step agrees with 1e5 explicit steps, which have an error of 1e-5. This holds for equal rates as well.
 TEST(TransientNetwork, OneStepSolvesTheEquation) {
   constexpr double kTravel = 5e-3;
   constexpr double kDuration = 0.2;
@@ -66,8 +66,8 @@ TEST(TransientNetwork, OneStepSolvesTheEquation) {
   }
 }
 
-// Kraus's curve with m = 1 holds at frequencies far above the recovery rate: K' = k/(1 + (a/a_c)^2), a_c = pi s/2. q
-// ripples by 1/(4 pi f T) = 4 % at 1 Hz; the cycle shows only its second harmonic, below 2 % of k.
+// Kraus's curve K' = k/(1 + (a/a_c)^2), a_c = pi s/2, holds far above the recovery rate 1/T. The share of intact bonds
+// ripples by 1/(4 pi f T) = 4 % at 1 Hz. Its second harmonic changes K' by less than 2 % of k.
 TEST(PayneMaxwell, SoftensWithAmplitudeByKrausCurve) {
   constexpr double kCritical = element::kPi / 2.0 * 1e-3;
   for (const double frequency : {1.0, 8.0}) {
@@ -81,8 +81,8 @@ TEST(PayneMaxwell, SoftensWithAmplitudeByKrausCurve) {
   }
 }
 
-// dF/dt = -F/tau (1 + (|F|/(k y))^p) has the solution F = F0 e/(1 + (F0/(k y))^p (1 - e^p))^(1/p), e = exp(-t/tau). The
-// error of the splitting is (dt/tau)^2 = 4e-7.
+// dF/dt = -F/tau (1 + (|F|/(k y))^p) has the solution F = F0 e/(1 + (F0/(k y))^p (1 - e^p))^(1/p), e = exp(-t/tau).
+// Splitting a step in two parts has an error of (dt/tau)^2 = 4e-7.
 TEST(NonlinearMaxwell, RelaxesInClosedForm) {
   for (const auto& [power, displacement, steps] : {std::tuple(1.0, 2e-3, 2000), {3.0, 1e-3, 20000}}) {
     Driver driver(entry("nonlinear_maxwell stiffness=1e6 break_frequency=2 displacement=5e-4", {{"power", power}}));
@@ -96,17 +96,17 @@ TEST(NonlinearMaxwell, RelaxesInClosedForm) {
 }
 
 constexpr double kReach = 2e-3;  // [m]
-constexpr double kTip = 3e6;     // stiffness there [N/m]
+constexpr double kTip = 3e6;     // stiffness at the reach [N/m]
 constexpr double kGrowth = 3.0;
 
-// Returns the stiffness at a place from a short step, during which the branch does not relax.
+// Returns the stiffness at a displacement from a short step, during which the branch does not relax.
 double stiffnessAt(double side, double z) {
   Driver driver(
       entry("maxwell_along_curve stiffness=3e6 displacement=2e-3 break_frequency=1e-6 growth=3", {{"side", side}}), z);
   return driver.step(1e-3, z + 1e-9) / 1e-9;
 }
 
-// Linear interpolation of the stiffness has an error of h^2 k''/8, at most 0.3 % here.
+// Linear interpolation of the stiffness has an error of h^2 k''/8, which is at most 0.3 % here.
 TEST(MaxwellAlongCurve, GrowsExponentiallyWithTheSquareOfTheDisplacement) {
   for (const double share : {-1.0, -0.5, 0.0, 0.3, 0.8}) {
     const double exact = kTip * std::exp(kGrowth * (share * share - 1.0));

@@ -1,4 +1,4 @@
-// Nonlinear springs: points of their characteristics, harmonics under a sine, limits.
+// Nonlinear springs: points of their characteristics, harmonics under a sine, and limits.
 #include "element/driver.h"
 #include "rubber_suspension/element/radial_stiffness.h"
 #include "support/test.h"
@@ -51,7 +51,7 @@ const std::vector<Characteristic> kCharacteristics = {
      {{1e-3, 0.0, 0.0}, {-0.999e-3, 0.0, 0.0}, {1.5e-3, 1e4, 1e-8}, {-1.5e-3, -1e4, 1e-8}}},
     {"stop_above", "bump_stop stiffness=2e7 gap=1e-3 exponent=1 side=1", {{2e-3, 2e4, 1e-8}, {-2e-3, 0.0, 0.0}}},
     {"stop_below", "bump_stop stiffness=2e7 gap=1e-3 exponent=1 side=-1", {{2e-3, 0.0, 0.0}, {-2e-3, -2e4, 1e-8}}},
-    // The stiffness at the reference depth does not depend on the exponent.
+    // The exponent does not change the stiffness at the reference depth.
     {"stop_of_exponent_1_5",
      "bump_stop stiffness=2e7 gap=1e-3 reference_depth=0.5e-3 exponent=1.5",
      {{1.5e-3, 1e4, 1e-8}, {2.0e-3, 1e4 * std::pow(2.0, 1.5), 1e-7}}},
@@ -76,8 +76,8 @@ TEST_P(SpringOf, HasItsPoints) {
   }
 }
 
-/// Returns the amplitude of sin(n w t) under z = A sin wt, as 2i times the coefficient of exp(i n w t), or the mean for
-/// n = 0. It is exact for polynomials, because 64 samples alias from harmonic 32 on.
+/// Returns the amplitude of sin(n w t) in the force under z = A sin wt, as 2i times the coefficient of exp(i n w t), or
+/// the mean force for n = 0. It is exact for polynomials, because 64 samples alias from harmonic 32 on.
 std::complex<double> harmonic(const Law& law, int n) {
   constexpr int kSamples = 64;
   std::complex<double> sum = 0.0;
@@ -98,12 +98,12 @@ TEST(Harmonics, OfTheCubicTerm) {
 TEST(Harmonics, OfTheQuadraticTerm) {
   const Law law = lawOf("asymmetric_stiffness quadratic=1e8");
   EXPECT_NEAR(harmonic(law, 0).real(), 0.5 * 1e8 * kA * kA, 1e-10);
-  // z^2 = A^2/2 (1 - cos 2wt), and the cosine is a sine shifted by a quarter period.
+  // With z^2 = A^2/2 (1 - cos 2wt), the second harmonic is a sine shifted by a quarter period.
   EXPECT_NEAR(std::abs(harmonic(law, 2)), 0.5 * 1e8 * kA * kA, 1e-10);
   EXPECT_NEAR(std::abs(harmonic(law, 1)), 0.0, 1e-10);
 }
 
-// Beyond 20 scales the force follows the tangent.
+// Beyond 20 scales the force continues along its tangent.
 TEST(Exponentials, StayFinite) {
   const Law law = lawOf("progressive_stiffness exponential=2e5 exponential_scale=1e-3");
   EXPECT_NEAR(forceAt(law, 25e-3) - forceAt(law, 24e-3), 2e5 * 1e-3 * (std::cosh(20.0) - 1.0),
@@ -112,7 +112,7 @@ TEST(Exponentials, StayFinite) {
   EXPECT_TRUE(std::isfinite(forceAt(lawOf("asymmetric_stiffness exponential=2e5 exponential_scale=1e-3"), 1e3)));
 }
 
-// The even exponential is the sum of two one-sided exponentials of opposite scale.
+// The even exponential is the sum of two one-sided exponentials with opposite scales.
 TEST(AsymmetricStiffness, EvenExponentialIsEven) {
   const Law even = lawOf("asymmetric_stiffness even_exponential=2e5 exponential_scale=1e-3");
   const Law upper = lawOf("asymmetric_stiffness exponential=1e5 exponential_scale=1e-3");
@@ -123,7 +123,7 @@ TEST(AsymmetricStiffness, EvenExponentialIsEven) {
   }
 }
 
-// The force is the gradient of W(r) - (1 - a)(W(|x|) + W(|y|)).
+// The force is the gradient of W(r) - (1 - a)(W(|x|) + W(|y|)). W is the energy of a spring, and a is `alone`.
 TEST(RadialStiffness, HasAPotential) {
   const double alone = 0.3;
   const element::RadialStiffness law(2e8, 1e11, 3e16, alone);

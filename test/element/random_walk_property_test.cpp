@@ -1,4 +1,4 @@
-// Properties on every path: RapidCheck draws the paths and shrinks those that fail. Needs RapidCheck.
+// Properties that hold on every path. RapidCheck draws the paths and shortens those that fail.
 #include <rapidcheck/gtest.h>
 
 #include "element/driver.h"
@@ -8,7 +8,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-// Every run draws the same paths, unless the environment sets RC_PARAMS.
+// Every run draws the same paths, unless the environment variable RC_PARAMS is set.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20150817", 0) == 0;
 
 struct Move {
@@ -16,7 +16,7 @@ struct Move {
   double displacement;
 };
 
-/// Integers make counterexamples short: displacements are in um, durations in decades from 1 ns to 1000 s.
+/// Draws integers, so that counterexamples are short: displacements in um, durations in decades from 1 ns to 1000 s.
 std::vector<Move> anyPath() {
   const auto numbers = *rc::gen::container<std::vector<std::pair<int, int>>>(
       rc::gen::pair(rc::gen::inRange(-10000, 10001), rc::gen::inRange(-9, 4)));
@@ -74,7 +74,7 @@ RC_GTEST_PROP(AnyPath, FrictionStaysWithinItsMaximum, ()) {
   }
 }
 
-// An excursion within a range that was passed before leaves no trace after its return.
+// An excursion within a range that was passed before has no effect after its return.
 RC_GTEST_PROP(AnyPath, IwanClosesAnyMinorLoop, ()) {
   Driver driver("iwan maximum_force=5e3 displacement=2e-4");
   for (const Move& move : anyPath()) {
@@ -89,7 +89,7 @@ RC_GTEST_PROP(AnyPath, IwanClosesAnyMinorLoop, ()) {
   RC_ASSERT(std::abs(driver.step(1.0, top) - force) <= 1e-12 * 5e3);
 }
 
-// A mirrored path gives the mirrored force for every symmetric law.
+// For every symmetric law, a mirrored path gives the mirrored force.
 RC_GTEST_PROP(AnyPath, MirroredGivesMirroredForce, ()) {
   const std::vector<Move> path = anyPath();
   for (const element::ElementDescription& description : typicalElements()) {
@@ -105,7 +105,7 @@ RC_GTEST_PROP(AnyPath, MirroredGivesMirroredForce, ()) {
     component::ComponentState down = component.makeState();
     for (const Move& move : path) {
       const double force = component.step(up, move.dt, move.displacement).total;
-      // The forces are equal to the last bit except behind a mount, where the solver's bracket is on the other side.
+      // The forces are equal to the last bit, except behind mounts, whose solver starts from the other side.
       RC_ASSERT(std::abs(force + component.step(down, move.dt, -move.displacement).total) <=
                 1e-9 * std::abs(force) + 1e-6);
     }

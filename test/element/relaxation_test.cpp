@@ -1,4 +1,4 @@
-// Relaxation over a step compared with the exponential in extended precision.
+// Relaxation over a step agrees with an exponential in extended precision.
 #include "rubber_suspension/element/relaxation.h"
 
 #include "support/test.h"
@@ -6,14 +6,14 @@
 namespace rubber_suspension::test {
 namespace {
 
-// A few roundings of 1.1e-16, and some more in the polynomial.
+// The error of a few roundings of 1.1e-16, and of some more in the polynomial.
 constexpr double kStated = 4e-16;
 
 void expectExact(double x) {
   const element::Relaxation relaxation = element::Relaxation::over(x);
   const long double decay = std::exp(-static_cast<long double>(x));
   const long double mean = -std::expm1(-static_cast<long double>(x)) / x;
-  // For a small decay, 1 minus the relaxed share is exact to the rounding of 1.
+  // If the decay is small, 1 minus the relaxed share is exact up to the rounding of 1.
   EXPECT_NEAR(static_cast<double>(relaxation.decay - decay), 0.0, kStated * std::max(0.5, static_cast<double>(decay)))
       << x;
   EXPECT_NEAR(static_cast<double>(relaxation.mean / mean - 1.0L), 0.0, kStated) << x;
@@ -21,8 +21,8 @@ void expectExact(double x) {
 
 TEST(Relaxation, IsExactWithinItsStatedError) {
   for (int i = 0; i <= 20000; ++i) {
-    expectExact(element::Relaxation::kSmall * (i + 1) / 20000.0);  // small, and just above
-    expectExact(1e-18 * std::pow(1e22, i / 20000.0));              // from 1e-18 to 1e4
+    expectExact(element::Relaxation::kSmall * (i + 1) / 20000.0);  // small arguments, and arguments just above
+    expectExact(1e-18 * std::pow(1e22, i / 20000.0));              // arguments from 1e-18 to 1e4
   }
 }
 

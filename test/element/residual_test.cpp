@@ -1,4 +1,4 @@
-// The surrogate: closed forms of each operator, its bounds, and refused parameters.
+// The surrogate: closed forms of each operator, bounds, and refused parameters.
 #include "rubber_suspension/element/residual.h"
 
 #include "element/typical_elements.h"
@@ -29,7 +29,7 @@ ResidualBasis::Layout typicalLayout() {
   return layout;
 }
 
-/// Moves a basis along straight lines from rest at zero.
+/// Moves a basis of the surrogate along straight lines, from rest at zero.
 class Moving {
  public:
   explicit Moving(const ResidualBasis::Layout& layout) : basis_(layout), memory_(ResidualBasis::kMemorySize) {
@@ -69,8 +69,8 @@ TEST(ResidualBasis, AStopFollowsUpToItsWidthAndBackAtOnce) {
   EXPECT_DOUBLE_EQ(moving[ResidualBasis::kStop], -0.02);
 }
 
-// A ramp of speed v gives a relaxing share v tau (1 - exp(-t/tau)). Steps of x = dt/tau have an error of x^2/6 of what
-// decays, at most 1e-4 of the fastest share.
+// A ramp of speed v gives v tau (1 - exp(-t/tau)). Steps of dt have an error of (dt/tau)^2/6 of the decaying part, at
+// most 1e-4 for the smallest tau.
 TEST(ResidualBasis, ARelaxingShareIsThatOfAMaxwellElement) {
   Moving moving(typicalLayout());
   moving.moveTo(kStroke, 0.2, 2000);
@@ -81,8 +81,8 @@ TEST(ResidualBasis, ARelaxingShareIsThatOfAMaxwellElement) {
   }
 }
 
-// The mean of |sin| is 2/pi. After 60 time constants of 0.3 s the start is forgotten; at 10 Hz the leaky integrator
-// passes 1/(2 pi 20 Hz 0.3 s) = 2.7 % of the first harmonic, which is two thirds of the mean.
+// The mean of |sin| is 2/pi. After 60 time constants of 0.3 s the start is forgotten. The leaky integrator passes 1/(2
+// pi 20 Hz 0.3 s) = 2.7 % of the first harmonic of |sin|, which is two thirds of the mean.
 TEST(ResidualBasis, TheAmplitudeIsTheMeanOfTheShare) {
   const ResidualBasis basis(typicalLayout());
   std::vector<double> memory(ResidualBasis::kMemorySize);
@@ -96,9 +96,9 @@ TEST(ResidualBasis, TheAmplitudeIsTheMeanOfTheShare) {
   EXPECT_NEAR(memory[ResidualBasis::kAmplitude], 1.0 / element::kPi, 0.03 / element::kPi);
 }
 
-// After a step of the displacement a resonator rings: x = exp(-D w t) (cos w_d t + D/sqrt(1-D^2) sin w_d t), D = 0.15.
-// With steps of 0.1 ms the error of the trapezoidal rule is 1e-3 after three periods of 40 ms; the displacement step
-// itself takes a sample, a delay of half a sample.
+// After a step, a resonator with damping ratio D = 0.15 rings as exp(-D w t) (cos w_d t + D/sqrt(1-D^2) sin w_d t).
+// With steps of 0.1 ms, the trapezoidal rule has an error of 1e-3 after three periods of 40 ms. The displacement rises
+// over one sample, which delays the ringing by half a sample.
 TEST(ResidualBasis, AResonatorRingsAtItsFrequency) {
   Moving moving(typicalLayout());
   moving.moveTo(kStroke, 1e-4, 1);
@@ -111,7 +111,7 @@ TEST(ResidualBasis, AResonatorRingsAtItsFrequency) {
     const double decay = std::exp(-kDampingRatio * omega * t);
     const double velocity = decay * omega / damped * std::sin(damped * t);
     ASSERT_NEAR(moving[ResidualBasis::kVelocity + 7], velocity, 2e-3) << t;
-    // x = q - (displacement of the mass): v' = w x - 2 D w v.
+    // Position x = q - (displacement of the mass), velocity v with v' = w x - 2 D w v.
     const double position = decay * (std::cos(damped * t) + kDampingRatio * omega / damped * std::sin(damped * t));
     ASSERT_NEAR(moving[ResidualBasis::kPosition + 7], position, 2e-3 + 0.008) << t;
   }
@@ -125,14 +125,14 @@ TEST(ResidualBasis, EvaluatesProductsHatsAndResonators) {
   EXPECT_NEAR(values[10 * 4 + 1], 0.09, 1e-14);       // q times q
   EXPECT_NEAR(values[3 * 4 + 2], 0.2 * 0.09, 1e-14);  // the fourth stop times q^2
   EXPECT_NEAR(values[10 * 4 + 3], 0.3 * moving[ResidualBasis::kAmplitude], 1e-14);
-  // 0.3 is between the points 0.25 and 0.5; the hat at zero is subtracted.
+  // 0.3 lies between the points 0.25 and 0.5 of the hat functions. The value of the hat at zero is subtracted.
   EXPECT_NEAR(values[kProducts + 5], 0.8, 1e-12);
   EXPECT_NEAR(values[kProducts + 6], 0.2, 1e-12);
   EXPECT_NEAR(values[kProducts + 4], -1.0, 1e-12);
   EXPECT_DOUBLE_EQ(values[kProducts + 9], moving[ResidualBasis::kPosition]);
 }
 
-// The written entry gives the sum of weights times functions, with each function exactly once.
+// The force of the written entry is the sum of weights times functions, with each function exactly once.
 TEST(Residual, ItsForceIsTheWeightedSumOfTheFunctions) {
   const ResidualBasis basis(typicalLayout());
   Eigen::VectorXd weights(basis.size());
@@ -144,7 +144,7 @@ TEST(Residual, ItsForceIsTheWeightedSumOfTheFunctions) {
   for (int i = 1; i <= 500; ++i) {
     const double z = kStroke * std::sin(0.02 * i) * std::cos(0.11 * i);
     moving.moveTo(z, kDt, 1);
-    // The tolerance is the rounding of sums of 69 products of some 100 N.
+    // The tolerance covers the rounding of sums of 69 products of some 100 N.
     ASSERT_NEAR(component.step(kDt, z), weights.dot(moving.values()), 1e-10) << i;
   }
 }
@@ -173,7 +173,7 @@ TEST(Residual, BeyondTheRangeItIsAsAtItsEnd) {
   }
 }
 
-// A diagnosis may omit the resonators.
+// A diagnosis may write a surrogate without resonators.
 TEST(Residual, RunsWithoutResonators) {
   element::ElementDescription law = typicalResidual();
   WithState with({law});
@@ -187,7 +187,7 @@ TEST(Residual, RunsWithoutResonators) {
   for (int i = 1; i <= 100; ++i) {
     const double z = kStroke * std::sin(0.1 * i);
     const double force = without.step(kDt, z);
-    ASSERT_NEAR(silent.step(kDt, z), force, 1e-9);  // the order of sums
+    ASSERT_NEAR(silent.step(kDt, z), force, 1e-9);  // sums have another order
     ASSERT_NE(with.step(kDt, z), force);
   }
 }
@@ -221,7 +221,7 @@ TEST(Residual, RefusesWhatDoesNotFit) {
   EXPECT_THROW(element::makeElement(law), std::invalid_argument) << "a range of nothing";
 }
 
-// No values that a file may contain lead to infinite forces.
+// All accepted values of the parameters give finite forces.
 TEST(Residual, StaysFiniteAtTheEndsOfItsRanges) {
   element::ElementDescription law = typicalResidual();
   law.values["relaxation_times"] = {1e-9, 1e-9, 1.0, 1e30};

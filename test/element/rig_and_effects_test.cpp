@@ -1,4 +1,4 @@
-// Elements between rig and specimen, and effects that scale the specimen's force: closed forms and limits.
+// Elements between rig and specimen, and effects that scale the force of the specimen: closed forms and limits.
 #include "element/driver.h"
 #include "support/test.h"
 
@@ -16,7 +16,7 @@ TEST(SeriesCompliance, HalvesAtItsClosingForceAndClosesNoMoreThanTheHyperbola) {
   EXPECT_DOUBLE_EQ(joint->deflection(500.0), 0.5 * 500.0 / 2e7);
   EXPECT_DOUBLE_EQ(joint->deflection(-500.0), -0.5 * 500.0 / 2e7);
   EXPECT_NEAR(joint->deflection(1e-6) / (1e-6 / 2e7), 1.0, 1.01 * 1e-6 / 500.0);  // first term of the expansion
-  EXPECT_NEAR(joint->deflection(5e9) / (500.0 / 2e7), 1.0, 1.01e-7);              // 1 - F_c/F of the asymptote
+  EXPECT_NEAR(joint->deflection(5e9) / (500.0 / 2e7), 1.0, 1.01e-7);              // asymptote 1 - F_c/F
   EXPECT_FALSE(joint->compliance());
 }
 
@@ -41,7 +41,7 @@ TEST(SeriesCompliance, NeverYieldsLessToALargerForce) {
                                                             {"side", i % 3 - 1.0}}));
     const double force = (i % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, decade(random));
     const double larger = force + std::pow(10.0, decade(random));
-    // The tolerance is two roundings of F/(K_s (1 + F/F_c)) at the larger force.
+    // The tolerance is twice the rounding of F/(K_s (1 + F/F_c)) at the larger force.
     const double rounding = 1e-15 * std::abs(joint->deflection(larger));
     ASSERT_GE(joint->deflection(larger), joint->deflection(force) - rounding) << i;
     ASSERT_GE(joint->deflection(force) * force, 0.0) << i;
@@ -63,7 +63,7 @@ TEST(Inertia, IsExactForACubicAtUnequalSteps) {
   }
 }
 
-/// Returns the ratio of the first harmonic under a sine of 30 Hz to K*.
+/// Returns the first harmonic of the force under a sine of 30 Hz, divided by the displacement and by K*.
 std::complex<double> settledShare(const std::string& law, int samples, int cycles) {
   Driver driver(law);
   const auto step = [&](double dt, double displacement) { return driver.step(dt, displacement); };
@@ -77,7 +77,7 @@ TEST(Inertia, SineIsInPhaseToSecondOrder) {
   EXPECT_NEAR(ratio.imag(), 0.0, 2.0 * std::pow(step_angle, 3));
 }
 
-// A sine of n straight lines per period is lower by (pi/n)^2/3; the lags have settled to exp(-60) after two periods.
+// The first harmonic of n straight lines per period is (pi/n)^2/3 lower. After two periods, transients are exp(-60).
 TEST(SmoothedInertia, SineIsAsItsFilterSays) {
   EXPECT_NEAR(std::abs(settledShare("inertia mass=12 bandwidth=80", 1000, 3) - 1.0), 0.0, 5e-6);
 }
@@ -92,7 +92,7 @@ TEST(SmoothedInertia, MakesLittleForceOfNoise) {
   for (int i = 0; i < kSamples; ++i) {
     sum += std::pow(driver.step(kStep, noise(generator)), 2);
   }
-  // From the impulse response of the exact step; the tolerance is five times the scatter of 20,000 samples.
+  // The impulse response gives this value. The tolerance is 5 times the scatter of 20,000 samples.
   EXPECT_NEAR(std::sqrt(sum / kSamples), 0.866, 0.05 * 0.866);
 }
 
@@ -128,7 +128,7 @@ TEST(TimeDelay, LineIsExactAtUnequalSteps) {
   }
 }
 
-// The displacement is linear between samples, even if an earlier step was much longer than the delay.
+// The displacement is linear between samples, even if an earlier step is much longer than the delay.
 TEST(TimeDelay, ReproducesTheBentLineBetweenSamples) {
   Driver driver("time_delay delay=0.05", 1.0);
   EXPECT_DOUBLE_EQ(driver.step(0.04, 2.0), 1.0) << "before the start at rest";
@@ -137,7 +137,7 @@ TEST(TimeDelay, ReproducesTheBentLineBetweenSamples) {
   EXPECT_NEAR(driver.step(0.04, 0.0), 5.0 - 5.0 * 0.01 / 0.02, 1e-12);
 }
 
-// At 20 kHz, 50 ms would need 1000 samples; the ring stores 256 and thins them.
+// At 20 kHz, a delay of 50 ms would need 1000 samples. The ring buffer stores 256, and omits samples between them.
 TEST(TimeDelay, ThinsWhereTheRingWouldBeTooShort) {
   constexpr double kDelay = 0.05;
   constexpr double kFine = 5e-5;
@@ -161,7 +161,7 @@ TEST(TimeDelay, NegativeDelayCarriesForwardAlongALine) {
               std::pow(kOmega * 2e-3, 2) / 2.0);
 }
 
-/// Steps a single effect that scales forces, by 1 s unless stated.
+/// Steps a single effect that scales forces, with a default step of 1 s.
 class Effect {
  public:
   explicit Effect(const std::string& text) : law_(std::get<Pointer>(element::makeElement(entry(text)))) {
@@ -184,7 +184,7 @@ class Effect {
   double z_ = 0.0;
 };
 
-/// Returns the factor of a softening at a displacement, after a larger reach.
+/// Returns the softening factor at a displacement after a larger displacement `reach`.
 double factorAt(const std::string& text, double displacement, double reach) {
   Effect effect(text);
   effect.step(reach);
@@ -204,7 +204,7 @@ TEST(StressSoftening, SoftensOnlyWithinWhatWasReachedAndStaysThroughARest) {
   EXPECT_LT(effect.step(1e-3), 0.75) << "after the rest";
 }
 
-// The slope is at most R 2/w on both sides, and for an effect of one side; a step is a 200th of the reach.
+// The slope is at most R 2/w, on both sides and for one-sided effects. A step is a 200th of the reach.
 TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
   double before = factorAt("stress_softening reduction=0.3 width=0.5", 0.0, 2.0);
   EXPECT_NEAR(before, 0.7, 1e-12);
@@ -224,7 +224,7 @@ TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
   }
 }
 
-// With a = 1 and a wide transition the reduction falls linearly with the displacement: tanh x = x up to x^3/3.
+// If tanh x = x (up to x^3/3), the reduction falls linearly with the displacement.
 TEST(StressSoftening, MayCountDisplacementInPlaceOfEnergy) {
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     EXPECT_NEAR(factorAt("stress_softening reduction=0.3 width=10 ratio_power=1", share * 2e-3, 2e-3),
@@ -234,7 +234,7 @@ TEST(StressSoftening, MayCountDisplacementInPlaceOfEnergy) {
 
 TEST(StressSoftening, PathMakesItTakeSomeCycles) {
   constexpr double kReach = 1e-3;
-  Effect effect("stress_softening reduction=0.3 width=0.2 path=4e-3");  // one cycle of that amplitude
+  Effect effect("stress_softening reduction=0.3 width=0.2 path=4e-3");  // the length of one cycle with that amplitude
   effect.step(kReach);
   double remaining = kReach - effect.reachSoftened();
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -262,7 +262,7 @@ TEST(StressSoftening, OfOneSideLeavesTheOtherAlone) {
   EXPECT_EQ(effect.step(-0.6e-3), 1.0) << "beyond a quarter of the reach";
 }
 
-// The reach decays by a factor of e over the recovery time, in steps of 1 s.
+// Over the recovery time, the reach falls by a factor of e. Steps are 1 s long.
 TEST(StressSoftening, RecoversAtRest) {
   Effect effect("stress_softening reduction=0.3 width=0.2 recovery_time=10");
   effect.step(2e-3);
@@ -275,17 +275,17 @@ TEST(StressSoftening, RecoversAtRest) {
   EXPECT_EQ(effect.reach(), 0.0);
 }
 
-// With a constant loss force in steady motion, dx/dt = s F v (1 - x) - x/T.
+// In steady motion with a constant loss force F, the softening x obeys dx/dt = s F v (1 - x) - x/T.
 TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
   Effect effect("self_heating energy_sensitivity=1e-3 time_constant=20");
   element::ComponentForce force;
   force.friction = 1e3;
-  force.elastic = 1e9;  // makes no heat
+  force.elastic = 1e9;  // causes no heat
   double factor = 1.0;
   for (int i = 1; i <= 100000; ++i) {
     factor = effect.step(0.01 * 0.02 * i, force, 0.01);
   }
-  const double gain = 1e-3 * 20.0 * (1e3 * 0.02);  // s T P = 0.4, of the unsoftened force
+  const double gain = 1e-3 * 20.0 * (1e3 * 0.02);  // s T P = 0.4 for the power P of the force without softening
   EXPECT_NEAR(factor, 1.0 - gain / (1.0 + gain), 1e-9);
   force.friction = 0.0;
   effect.step(20.0, force, 1e-9);
@@ -300,7 +300,7 @@ TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
   for (int i = 1; i <= 1000; ++i) {
     factor = effect.step(1e-3 * i, force, 0.01);
   }
-  // 500 N over 1 m, minus half of the first step, in which the force rises from 0, softened by 2.5e-4 on average.
+  // 500 N over 1 m, minus half of the first step, in which the force rises from 0. The mean softening is 2.5e-4.
   EXPECT_NEAR(1.0 - factor, 1e-6 * 500.0 * 0.9995, 1e-3 * 1e-6 * 500.0);
 }
 

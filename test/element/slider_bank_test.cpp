@@ -1,4 +1,4 @@
-// Iwan's bank and Coulomb friction: minor loops, Masing's rules, closed forms, limits.
+// Iwan's bank of sliders and Coulomb friction: minor loops, Masing's rules, closed forms, limits.
 #include "rubber_suspension/element/slider_bank.h"
 
 #include "element/driver.h"
@@ -8,7 +8,7 @@
 namespace rubber_suspension::test {
 namespace {
 
-// Returns the force at a displacement that is reached from rest without reversal [N].
+// Returns the force [N] at a displacement that is reached from rest without a reversal.
 double backbone(const element::SliderBank& law, double displacement) {
   double force = 0.0;
   for (const element::JenkinsSlider& slider : law.sliders()) {
@@ -30,7 +30,7 @@ TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
   }
 }
 
-// The backbone of many sliders is the hyperbola of Berg's first loading, except for its end at 50 z2 (4 %).
+// The backbone of many sliders is the hyperbola of Berg's first loading, up to 4 % because it ends at 50 z2.
 TEST(Iwan, BackboneIsCloseToBergs) {
   const element::SliderBank law(element::iwanSliders(5.0, 2.2, 64));
   for (const double z : {0.2, 1.0, 2.0, 4.0, 10.0}) {
@@ -57,8 +57,8 @@ TEST(Iwan, MinorLoopClosesToTheLastBit) {
   EXPECT_NEAR(driver.step(1.0, 3.0), backbone(law, 3.0), 1e-12) << "goes on along the backbone";
 }
 
-// By Masing's rules the settled peak is on the backbone (2.37 in this example, 1.99 with Berg's element), and the
-// branch after a reversal is the doubled backbone.
+// By Masing's rules, the settled peak lies on the backbone, and the branch after a reversal is the doubled backbone.
+// The peak is 2.37 in this example, compared with 1.99 for Berg's element.
 TEST(Iwan, SettledLoopObeysMasing) {
   const element::SliderBank law(element::iwanSliders(5.0, 2.2, 16));
   Driver driver("iwan maximum_force=5 displacement=2.2");
@@ -73,12 +73,12 @@ TEST(Iwan, SettledLoopObeysMasing) {
 TEST(SliderBank, LossOfASettledLoopInClosedForm) {
   const element::SliderBank law({{2.0, 400.0}, {0.1, 2000.0}, {0.5, 1000.0}});
   constexpr double kAmplitude = 1.5;
-  double expected = 0.0;  // sum of the parallelograms of all sliders that slide
+  double expected = 0.0;  // sum of the loop areas of all sliders that slide
   for (const element::JenkinsSlider& slider : law.sliders()) {
     expected += 4.0 * slider.maximumForce() * std::max(0.0, kAmplitude - slider.yield_displacement);
   }
   Driver driver("iwan_table yield_displacement=2,0.1,0.5 stiffness=400,2000,1000");
-  // All kinks lie on the grid of 3000 steps (1 um of 3 mm), where the trapezoidal rule is exact.
+  // All kinks lie on one of the 3000 steps (1 um of 3 mm), so the trapezoidal rule is exact.
   EXPECT_NEAR(settledWork(driver, kAmplitude, 2, 3000), expected, 1e-9 * expected);
 }
 
@@ -100,7 +100,7 @@ TEST(CoulombFriction, LossTendsToThatOfCoulombsLaw) {
   constexpr double kAmplitude = 1e-3;
   Driver driver("coulomb_friction maximum_force=2e3 stiffness=1e10");
   const double coulomb = 4.0 * 2e3 * kAmplitude;
-  // The loss is smaller by F_max/(k A) = 2e-4; the coarse steps of 1 um add half a step at each of two turns, 1e-3.
+  // The loss is smaller by F_max/(k A) = 2e-4. Steps of 1 um add half a step at each of the two turns, 1e-3.
   EXPECT_NEAR(settledWork(driver, kAmplitude, 1, 2000), coulomb, 2e-3 * coulomb);
 }
 

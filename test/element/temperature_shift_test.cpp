@@ -1,4 +1,4 @@
-// Temperature laws compared with published constants: shift factors, other references, validity.
+// Temperature laws agree with published constants: shift factors, other references, validity.
 #include "rubber_suspension/element/catalogue.h"
 #include "support/kit.h"
 
@@ -21,23 +21,23 @@ Shift arrhenius(double energy, double reference) {
 
 double decades(const Shift& shift, double temperature) { return std::log10(shift->at(temperature).time); }
 
-// M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701: the universal constants at T_g, here 0
-// degC. By hand, -17.44 50/(51.6 + 50) = -872/101.6 and so on.
+// The universal constants at the glass transition, here 0 degC, are of M. L. Williams, R. F. Landel, J. D. Ferry, J.
+// Am. Chem. Soc. 77 (1955) 3701. By hand, -17.44 50/(51.6 + 50) = -872/101.6, and the others likewise.
 TEST(WlfShift, UniversalConstantsAtTheGlassTransition) {
   const Shift shift = wlf(17.44, 51.6, 0.0);
   EXPECT_DOUBLE_EQ(shift->at(0.0).time, 1.0);
   EXPECT_NEAR(decades(shift, 50.0), -8.582677165354331, 1e-13);
   EXPECT_NEAR(decades(shift, 10.0), -2.831168831168831, 1e-13);
   EXPECT_NEAR(decades(shift, 100.0), -11.503957783641161, 1e-12);
-  // The form at T_s = T_g + 50 K has 8.86 and 101.6 K, to the digits printed.
+  // About T_g + 50 K the same law has the constants 8.86 and 101.6 K, rounded as printed.
   const Shift above = wlf(8.86, 101.6, 50.0);
   for (const double temperature : {10.0, 40.0, 50.0, 80.0}) {
     EXPECT_NEAR(decades(above, temperature), decades(shift, temperature) - decades(shift, 50.0), 0.02) << temperature;
   }
 }
 
-// J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed. 1980, table 11-II: polyisobutylene, 8.61 and 200.4 K at
-// 298 K. By hand 8.61 25/(200.4 -+ 25) = 215.25/175.4 and 215.25/225.4.
+// J. D. Ferry, Viscoelastic Properties of Polymers, 3rd ed. 1980, table 11-II, states 8.61 and 200.4 K at 298 K for
+// polyisobutylene. By hand, 8.61 25/(200.4 -+ 25) = 215.25/175.4 and 215.25/225.4.
 TEST(WlfShift, PolyisobutyleneOfFerry) {
   const double reference = 298.0 - 273.15;
   const Shift shift = wlf(8.61, 200.4, reference);
@@ -45,8 +45,8 @@ TEST(WlfShift, PolyisobutyleneOfFerry) {
   EXPECT_NEAR(decades(shift, reference + 25.0), -0.954968944099379, 1e-12);
 }
 
-// Natural rubber (Hevea) in the same table: 8.86 and 101.6 K at 248 K. At 20 degC its constants are
-// C_2 = 101.6 + 45.15 and C_1 = 8.86 101.6/C_2.
+// For natural rubber (Hevea) the same table states 8.86 and 101.6 K at 248 K. At 20 degC the constants are C_2 = 101.6
+// + 45.15 and C_1 = 8.86 101.6/C_2.
 TEST(WlfShift, ConstantsAtAnotherReferenceAreTheSameLaw) {
   const Shift natural = wlf(8.86, 101.6, 248.0 - 273.15);
   const double c2 = 101.6 + 45.15;
@@ -64,7 +64,7 @@ TEST(WlfShift, HoldsAsFarAsTwentyDecadesToTheSlowSide) {
   EXPECT_TRUE(range.contains(200.0));
 }
 
-// exp(50000/8.31446 (1/303.15 - 1/293.15)), computed separately.
+// The value is exp(50000/8.31446 (1/303.15 - 1/293.15)), computed separately.
 TEST(ArrheniusShift, FactorOfAnActivationEnergy) {
   const Shift shift = arrhenius(50e3, 20.0);
   EXPECT_DOUBLE_EQ(shift->at(20.0).time, 1.0);
@@ -72,8 +72,8 @@ TEST(ArrheniusShift, FactorOfAnActivationEnergy) {
   EXPECT_NEAR(std::log(shift->at(30.0).time), 50e3 / 8.31446261815324 * (1.0 / 303.15 - 1.0 / 293.15), 1e-12);
 }
 
-// E = ln(10) R T_0^2 C_1/C_2 is the slope of WLF at its reference. Over 1 K the two differ by the curvature, at most 1
-// % of the shift.
+// E = ln(10) R T_0^2 C_1/C_2 gives the slope of WLF at its reference. Over 1 K, the two laws differ by at most 1 % of
+// the shift.
 TEST(ArrheniusShift, HasTheSlopeOfWlf) {
   const Shift of_wlf = wlf(8.61, 200.4, 25.0);
   const double energy = std::log(10.0) * 8.31446261815324 * 298.15 * 298.15 * 8.61 / 200.4;
@@ -89,7 +89,7 @@ TEST(ArrheniusShift, HoldsAsFarAsTwentyDecadesToTheSlowSide) {
   EXPECT_NEAR(decades(back, back->temperatures().upper), element::kMostDecades, 1e-9);
 }
 
-// b_T = T/T_0 of entropic elasticity is linear in T with the coefficient 1/T_0, which is 1/(293.15 K) at 20 degC.
+// In entropic elasticity the force factor is T/T_0, linear in T with the coefficient 1/T_0, 1/(293.15 K) at 20 degC.
 TEST(VerticalShift, ProportionalToTheAbsoluteTemperature) {
   const Shift vertical = shiftOf(entry("vertical_shift", {{"coefficient", 1.0 / 293.15}, {"reference", 20.0}}));
   EXPECT_NEAR(vertical->at(80.0).force, 353.15 / 293.15, 1e-15);

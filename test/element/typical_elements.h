@@ -1,4 +1,4 @@
-// Typical parameters of every law, for tests of all laws, and properties of laws.
+// Typical parameters of every law for tests that cover all laws, and properties of the laws.
 #pragma once
 
 #include <ostream>
@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::test {
 
-/// Returns a surrogate of some kN for the range of the tests' motions, with a different weight for each function.
+/// Returns a surrogate of some kN for the motions of the tests, with a different weight for each function.
 inline element::ElementDescription typicalResidual() {
   std::vector<double> weights(44);
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -33,7 +33,7 @@ inline element::ElementDescription typicalResidual() {
            {"resonance_weights", resonance_weights}}};
 }
 
-/// Returns all laws with parameters that suit a component of 3 kN/mm that moves by some millimetres.
+/// Returns all laws with parameters that suit a component of 3 kN/mm under motions of some millimetres.
 inline std::vector<element::ElementDescription> typicalElements() {
   return {
       spring(3e6),
@@ -133,13 +133,13 @@ inline std::vector<element::ElementDescription> typicalElements() {
   };
 }
 
-/// Returns true for spring, friction, ...; false for effects on displacement or force and for mounts.
+/// Returns true for laws that add a force. Effects on displacement or force and mounts do not.
 inline bool addsForce(const element::ElementDescription& description) {
   return element::lawOf(element::makeElement(description)).action() == element::Action::adds_force;
 }
 
-/// Returns a component that shows the law: the law alone if its force adds, otherwise on a specimen with loss and the
-/// elements `with`.
+/// Returns a component for tests of a law: the law alone if it adds a force, otherwise a specimen with loss, the
+/// elements `with` and the law.
 inline component::Component subject(const element::ElementDescription& description,
                                     const std::vector<element::ElementDescription>& with = {
                                         entry("coulomb_friction maximum_force=1e3 stiffness=5e6")}) {
@@ -152,7 +152,7 @@ inline component::Component subject(const element::ElementDescription& descripti
   return component::Component(elements);
 }
 
-/// Returns the law on a linear specimen, for tests of K*.
+/// Returns the law on a linear specimen for tests of K*.
 inline component::Component linearSubject(const element::ElementDescription& description) {
   return subject(description, {});
 }
@@ -165,15 +165,15 @@ inline bool isPassive(const element::ElementDescription& description) {
   return element::lawOf(element::makeElement(description)).passive();
 }
 
-/// Returns whether the law is a force of the component that depends on the displacement alone.
+/// Returns true if the law is a force of the component, not of the rig, that depends on the displacement alone.
 inline bool isElastic(const element::ElementDescription& description) {
   const element::ElementPointer element = element::makeElement(description);
   const auto* law = std::get_if<std::shared_ptr<const element::ParallelElement>>(&element);
   return law != nullptr && !(*law)->onRig() && (*law)->part() == element::Part::elastic;
 }
 
-/// Returns whether a step of any length is exact for linearly varying displacement. Free play and delay bend the line
-/// between two samples, which a law behind them cannot know; they have tests of their own.
+/// Returns true if a step of any length is exact for linearly varying displacement. Free play and delay are excluded,
+/// because they bend the line between two samples; their own tests cover this.
 inline bool isExact(const element::ElementDescription& description) {
   const bool approximate =
       isOneOf(description,
@@ -182,7 +182,7 @@ inline bool isExact(const element::ElementDescription& description) {
                "variable_friction", "viscoplastic_friction", "residual", "dashpot_along_curve"});
   const bool softens_slowly = description.type == "stress_softening" &&
                               (description.values.count("path") != 0 || description.values.count("recovery_time") != 0);
-  // The mean speed changes within a step, and a dead band ends within one.
+  // The mean speed changes within such a step, and a dead band ends within it.
   const bool softens_in_motion =
       (description.type == "payne_maxwell" && description.value("recovery_time") > 0.0) ||
       (description.type == "transient_network" && description.values.count("dead_band") != 0);
