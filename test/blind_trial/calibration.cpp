@@ -1,4 +1,4 @@
-// Fits the numbers of the judgement to cases of known cause.
+// Fits the numbers of the judgement to cases with known causes.
 #include "calibration.h"
 
 #include <ceres/gradient_problem.h>
@@ -22,11 +22,11 @@ using diagnosis::judge::numberTable;
 using diagnosis::judge::SetPosterior;
 using diagnosis::judge::SetProbability;
 
-constexpr double kPartOfTruth = 0.2;   // of `unknown`, if a listed effect is at work beside an unlisted one
-constexpr double kValuesOfNone = 0.3;  // of wrong values, if the model is nearly right as configured
+constexpr double kPartOfTruth = 0.2;   // credit for the answer `unknown` if a listed and an unlisted effect act
+constexpr double kValuesOfNone = 0.3;  // credit for "wrong values" if the configured model is nearly right
 constexpr double kAccepted = 0.02;     // gap that an engineer accepts
 
-// The unknowns of the fit: the rows of the table, with logarithms of positive ones, then the base rates.
+// The parameters of the fit: the rows of the table, with logarithms of positive ones, and then the base rates.
 class Unknowns {
  public:
   explicit Unknowns(const std::vector<FittedCase>& cases) {
@@ -138,7 +138,7 @@ bool isIn(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Returns whether the names contain one of the known causes and nothing beyond the accepted effects.
+// Returns true if the names contain one of the known causes, and nothing else but accepted effects.
 bool fitsMachine(const std::vector<std::string>& names, const Truth& truth) {
   const bool any =
       std::any_of(names.begin(), names.end(), [&](const std::string& name) { return isIn(name, truth.effects); });

@@ -1,4 +1,4 @@
-// Fits the numbers of the judgement to cases of known cause by maximum posterior probability.
+// Fits the numbers of the judgement to cases with known causes, by maximum posterior probability.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::blind_trial {
 
-/// Added to the probability of a truth before the logarithm, so that no single case outweighs all others.
+/// Added to the probability of the true cause before the logarithm, so that no single case outweighs all others.
 constexpr double kLeastProbability = 1e-3;
 
 /// A case as input of the fit.
@@ -21,18 +21,18 @@ struct FittedCase {
   bool far_off = false;  ///< the gap as configured exceeds what an engineer accepts
 };
 
-/// Returns the cases with evidence; others contain no information on the numbers.
+/// Returns the cases with evidence. Other cases contain no information about the numbers.
 std::vector<FittedCase> fittedCases(const std::vector<TrialCase>& cases);
 
-/// Returns the probability that the judge gives to the labelled truth, summed over its accepted answers.
+/// Returns the probability that the judgement assigns to the labelled truth, as the sum over all accepted answers.
 double probabilityOfTruth(const FittedCase& known, const diagnosis::judge::JudgeNumbers& numbers);
 
-/// Maximises the probability of labels and prior numbers by L-BFGS (Ceres). It starts from the prior means and from the
-/// last fitted numbers, because there are several maxima, and keeps the best. Base rates are those of the effects in
-/// the evidence.
+/// Maximises the probability of the labels and of the prior numbers with L-BFGS (Ceres). There are several maxima, so
+/// it starts from the prior means and from the last fitted numbers, and returns the better result. Base rates are those
+/// of the effects in the evidence.
 diagnosis::judge::JudgeNumbers calibrate(const std::vector<FittedCase>& cases);
 
-/// Returns the source file with the numbers; `of` describes the fit in words.
+/// Returns the source file with the numbers. `of` describes the fit in words.
 std::string fittedNumbersSource(const diagnosis::judge::JudgeNumbers& numbers, const std::string& of);
 
 }  // namespace rubber_suspension::blind_trial

@@ -1,8 +1,6 @@
 // Judges the evidence of many diagnoses again: the rate of right answers, the calibration of stated probabilities, and
-// the fit of the judgement's numbers.
-//
-// Cases are folders FOLDER with FOLDER_labels and FOLDER_reports beside them, as `generate.py` and `run.py --evidence`
-// write them.
+// the fit of the numbers of the judgement.
+// Cases are in folders FOLDER, FOLDER_labels and FOLDER_reports, as `generate.py` and `run.py --evidence` write them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -37,7 +35,7 @@ std::vector<std::string> namesOf(const std::vector<int>& effects, const Evidence
   return names;
 }
 
-// If evidence is missing, the diagnosis refused the logs or failed.
+// Returns the answer of the judgement, or check_bench for a case without evidence, whose diagnosis refused the logs.
 Said saidOf(const TrialCase& known, const JudgeNumbers& numbers) {
   if (!known.evidence) {
     return {diagnosis::Verdict::check_bench, {}, 0.0};
@@ -147,7 +145,7 @@ double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vect
   return sum / count;
 }
 
-// Returns the numbers for each case: the last fitted ones, or those fitted without the fold of the case.
+// Returns the numbers for each case: the last fitted ones, or those fitted without the fold that contains the case.
 std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, int folds) {
   if (folds == 0) {
     return {cases.size(), diagnosis::judge::fittedNumbers()};
@@ -194,7 +192,7 @@ std::string today() {
   return text.data();
 }
 
-// Returns two lines of a comment: "2026-11-26, on 60 cases", "12 machine, 48 single".
+// Returns two lines of a comment, such as "2026-11-26, on 60 cases" and "12 machine, 48 single".
 std::string fitInWords(const std::vector<TrialCase>& cases) {
   std::map<std::string, int> kinds;
   int number = 0;
@@ -233,7 +231,7 @@ void printVerdicts(const std::vector<TrialCase>& cases) {
 struct Options {
   std::vector<std::string> folders;
   std::string numbers;
-  int folds = 0;  // 0: the last fitted numbers
+  int folds = 0;  // 0: use the last fitted numbers
   bool verdicts = false;
 
   command_line::OptionTable table() {

@@ -38,7 +38,7 @@ bool areAll(const std::vector<std::string>& names, const std::vector<std::string
   return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return has(names, name); });
 }
 
-// A label of rigs by other authors for an effect that the list did not have, and its present name.
+// Label in rigs by other authors for an effect that was not in the list then, and the present name of the effect.
 constexpr std::pair<const char*, const char*> kListedSince = {"hydraulic_resonance", "fluid_inertia"};
 
 Truth truthOf(const nlohmann::json& label) {
@@ -101,7 +101,7 @@ double leftBeyondNoise(const Evidence& evidence, int hypothesis) {
 }
 
 bool TrialCase::isHidden() const {
-  constexpr double kHidden = 0.007;  // of the force
+  constexpr double kHidden = 0.007;  // relative to the force
   return !truth.effects.empty() && evidence && leftBeyondNoise(*evidence, Evidence::kReEstimated) < kHidden;
 }
 
@@ -113,7 +113,7 @@ bool TrialCase::isRight(const Said& said) const {
   if (isHidden() && said.verdict == Verdict::parameter_error) {
     return true;
   }
-  // A linear base with a series spring is again a linear base.
+  // A linear model with a series spring is again a linear model, so other values explain it.
   if (truth.effects == std::vector<std::string>{"series_compliance"} && !truth.unlisted &&
       (said.verdict == Verdict::parameter_error || said.verdict == Verdict::confounded)) {
     return true;
@@ -151,7 +151,7 @@ std::vector<TrialCase> casesOfFolder(const std::string& folder) {
   std::vector<TrialCase> cases;
   for (const fs::path& label : filesIn(stem + "_labels")) {
     const std::string name = label.stem().string();
-    if (fs::exists(stem + "_reports/" + name + "/run.json")) {  // skips cases that are running
+    if (fs::exists(stem + "_reports/" + name + "/run.json")) {  // skips cases that are still running
       cases.push_back(
           caseOf(fs::path(stem).filename().string() + "/" + name, label, stem + "_reports/" + name + "/evidence.json"));
     }

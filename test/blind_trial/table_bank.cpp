@@ -1,5 +1,6 @@
 // Diagnoses tables of virtual components with noise, for the figures of docs/tables.md.
-// table_bank NOISE TABLES [few]: noise of K* [-], tables per component, 12 rows instead of 24.
+// Usage: table_bank NOISE TABLES [few]. NOISE is the relative noise of K*, TABLES the number of tables per component,
+// and `few` selects 12 rows instead of 24.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -21,7 +22,7 @@ struct Case {
   std::string configured;
   std::string truth;
   std::string added;
-  std::string right;  // effect, or the verdict if none
+  std::string right;  // name of the effect, or the verdict if no effect is right
 };
 
 const std::vector<Case>& cases() {

@@ -1,4 +1,4 @@
-// Fuzz target: a bag of any bytes is refused by LogError, or read as a valid log.
+// Fuzz target: any bytes of a bag are refused with a LogError, or read as a valid log.
 #include "bag/bag_log.h"
 #include "fuzz/memory_file.h"
 #include "fuzz/valid_log.h"

@@ -1,4 +1,4 @@
-// Components of any elements, and samples for them, from the bytes of a fuzz target.
+// Components with any elements, and samples for them, from the bytes of a fuzz target.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline void require(bool condition, const char* what) {
   }
 }
 
-/// Reads values from the fuzzer's bytes until too few are left.
+/// Reads values from the bytes of the fuzzer. Fails when too few bytes are left.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -46,8 +46,8 @@ class Bytes {
   std::size_t left_;
 };
 
-/// Chooses from the typical elements by the bytes: first their number, then each of them at most once. A spring is
-/// always chosen, because a component may not be empty.
+/// Returns a component of typical elements that the bytes select: first their number, then each element at most once. A
+/// spring is always included, because a component must not be empty.
 inline Component chosenComponent(Bytes& bytes) {
   const std::vector<ElementDescription> all = test::typicalElements();
   std::vector<bool> is_chosen(all.size(), false);
@@ -65,7 +65,7 @@ inline Component chosenComponent(Bytes& bytes) {
   return Component(chosen);
 }
 
-/// Reads a sample: steps of nanoseconds to an hour, forward and back, and now and then any second or any double.
+/// Reads a sample, up to an hour after or before the last one. A few samples have any time or any displacement.
 inline bool nextSample(Bytes& bytes, std::int64_t& stamp, double& displacement) {
   std::uint8_t kind = 0;
   std::int16_t step = 0;
@@ -75,7 +75,7 @@ inline bool nextSample(Bytes& bytes, std::int64_t& stamp, double& displacement) 
   }
   const std::int64_t unit[] = {1, 1000, 1000000, 100000000};
   if (kind % 16 == 15) {
-    std::uint32_t anywhere = 0;  // a ROS stamp has 32 bits for the seconds
+    std::uint32_t anywhere = 0;  // a stamp of ROS has 32 bits for the seconds
     bytes.read(anywhere);
     stamp = static_cast<std::int64_t>(anywhere) * SampleStream::kNanosecondsPerSecond;
   } else {

@@ -1,5 +1,5 @@
-// Fuzz target: a component file of any text is refused by ComponentFileError, or read; then it makes components, and
-// reads back as it was when it is written.
+// Fuzz target: any text of a component file is refused with a ComponentFileError, or makes components and reads back
+// unchanged after writing.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

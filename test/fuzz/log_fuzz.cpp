@@ -1,7 +1,7 @@
-// Fuzz target: a log of any bytes is refused by LogError, or read as a valid log. The bytes are text of any dialect,
-// gzip, UTF-16, HDF5, RPC III, or a format that is refused by name; text is read without options, with columns by
-// number, as a second segment, and with a sampling rate. MATLAB files are excluded, because libmatio allocates as much
-// memory as a damaged file asks for.
+// Fuzz target: any bytes of a log are refused with a LogError, or read as a valid log. The bytes are text, gzip,
+// UTF-16, HDF5, RPC III, or a format that is refused by name. Text is read without options, with columns by number, as
+// a second segment, and with a sampling rate. MATLAB files are excluded, because libmatio allocates any size that a
+// damaged file states.
 #include <algorithm>
 
 #include "fuzz/memory_file.h"

@@ -1,4 +1,4 @@
-// A file that exists in memory only, for readers that need a path.
+// A file in memory only, for readers that need a path.
 #pragma once
 
 #include <sys/mman.h>
@@ -11,7 +11,7 @@
 
 namespace rubber_suspension::fuzz {
 
-/// A file in memory with the given content; the destructor removes it.
+/// Creates a file in memory with the given content. The destructor removes it.
 class MemoryFile {
  public:
   MemoryFile(const std::uint8_t* data, std::size_t size) : descriptor_(memfd_create("input", 0)) {

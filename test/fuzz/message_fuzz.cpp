@@ -1,5 +1,5 @@
-// Fuzz target: a message of any bytes that passes the node's check can be decoded to the last byte, and is encoded to
-// the same bytes. The first byte selects the type of the message.
+// Fuzz target: a message of any bytes that passes the node's check can be decoded to its last byte, and encodes to the
+// same bytes. The first byte selects the type of the message.
 #include <ros/serialization.h>
 #include <rubber_suspension/Displacement.h>
 #include <rubber_suspension/DisplacementArray.h>

@@ -1,5 +1,5 @@
-// Fuzz target: any numbers restored as the state of any component are refused, or lead to nothing worse than wrong
-// forces: every sample is counted once, and dropped samples have no effect.
+// Fuzz target: any numbers restored as the state of a component are refused, or at worst lead to wrong forces. Every
+// sample is counted once, and dropped samples have no effect.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ using rubber_suspension::component::StreamForce;
 
 namespace {
 
-/// Replaces some numbers of the memory by whole numbers, as indices and counts are, or by arbitrary numbers.
+/// Replaces some numbers of the memory by whole numbers, such as indices and counts, or by arbitrary numbers.
 std::vector<double> chosenMemory(Bytes& bytes, std::vector<double> memory) {
   std::uint8_t changes = 0;
   bytes.read(changes);

@@ -1,4 +1,4 @@
-// Fuzz target: any component with any stamps and displacements has a finite state, counts every sample once, and is not
+// Fuzz target: for any stamps and displacements, any component has a finite state, counts every sample once, and is not
 // affected by samples that it drops.
 #include <cmath>
 #include <cstddef>

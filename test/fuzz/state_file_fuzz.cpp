@@ -1,4 +1,4 @@
-// Fuzz target: a state file of any text is refused in one line, or read and reads back as it was when it is written.
+// Fuzz target: any text of a state file is refused in one line, or read. What is read can be written and read back.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

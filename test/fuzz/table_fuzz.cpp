@@ -1,4 +1,4 @@
-// Fuzz target: a measured table of any text is refused in one line, or read with values that can be measured.
+// Fuzz target: any text of a measured table is refused in one line, or read with values that can be measured.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The contract of all readers of logs: a valid log, or one line of error.
+// The contract of all readers of logs: they return a valid log, or report an error in one line.
 #pragma once
 
 #include <cstdio>
@@ -9,7 +9,7 @@
 
 namespace rubber_suspension::fuzz {
 
-/// Errors and notes are printed to a terminal, so they have to be one line without control characters.
+/// Checks an error or a note, which is printed to a terminal: it must be one line without control characters.
 inline void requireForTerminal(const std::string& text) {
   for (const unsigned char c : text) {
     if (c < 0x20 || c == 0x7F) {
@@ -19,7 +19,7 @@ inline void requireForTerminal(const std::string& text) {
   }
 }
 
-/// Calls a reader; aborts if it violates the contract.
+/// Calls a reader, and aborts if the reader violates the contract.
 template <class Read>
 void requireValidLogOrError(Read read) {
   try {

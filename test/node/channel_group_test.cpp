@@ -1,4 +1,4 @@
-// All components at one instant: bundles of samples while states are saved, loaded and reset.
+// All components at one instant: bundles of samples arrive while states are saved, loaded and reset.
 #include "node/channel_group.h"
 
 #include "support/test.h"
@@ -25,7 +25,7 @@ class Group : public testing::Test {
     group_ = std::make_unique<node::ChannelGroup>(channels);
   }
 
-  // Returns how many samples of a bundle were accepted.
+  // Returns the number of accepted samples of a bundle.
   std::size_t push(std::int64_t stamp) {
     const auto lock = group_->bundle();
     std::size_t accepted = 0;
@@ -48,7 +48,7 @@ class Group : public testing::Test {
   std::unique_ptr<node::ChannelGroup> group_;
 };
 
-// A thread sends bundles continuously; each save contains one instant, and no load or reset interrupts a bundle.
+// A thread sends bundles continuously. Each save contains a single instant, and no load or reset interrupts a bundle.
 TEST_F(Group, SavesLoadsAndResetsTearNoBundle) {
   std::atomic<bool> running{true};
   std::atomic<int> torn{0};
@@ -72,7 +72,7 @@ TEST_F(Group, SavesLoadsAndResetsTearNoBundle) {
     if (round % 3 == 0) {
       group_->reset();
     }
-    // At least one bundle is sent between two services.
+    // Waits until at least one bundle was sent since the last service call.
     for (const int before = sent; sent == before;) {
       std::this_thread::yield();
     }

@@ -1,4 +1,4 @@
-// One component of the node: counting, saving, loading and replacing the model, also from several threads.
+// One component of the node: counts, saving, loading and replacing the model, also from several threads.
 #include "node/component_channel.h"
 
 #include "support/test.h"
@@ -135,8 +135,8 @@ TEST(ComponentChannel, AnotherModelStartsAsANewSpecimen) {
   EXPECT_EQ(force(channel, 100), force(fresh, 100));
 }
 
-// One thread serves samples, while others call the services and read diagnostics. The thread sanitizer reveals races;
-// without it the test checks that every accepted sample is counted.
+// One thread serves samples while others call services and read diagnostics. The thread sanitizer would reveal races.
+// Without it, the test checks that every accepted sample is counted.
 TEST(ComponentChannel, ServesWhileOthersLookAndChange) {
   node::ComponentChannel channel(describe(), 0.5);
   std::atomic<bool> done{false};

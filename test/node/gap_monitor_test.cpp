@@ -1,4 +1,4 @@
-// Matching of measured to simulated forces: late, early, repeated, missing, over restarts, from two threads.
+// Matching of measured and simulated forces that are late, early, repeated or missing, over restarts, from two threads.
 #include "node/gap_monitor.h"
 
 #include "support/allocation_counter.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t kMillisecond = 1000000;
 constexpr double kLong = 1e6;  // [s], longer than any test
 
-// Lets the monitor store samples, which it does only once a force was measured.
+// Makes the monitor store samples, which it begins only when a force was measured.
 void wake(node::GapMonitor& monitor) { monitor.addMeasured(-1, std::numeric_limits<double>::quiet_NaN()); }
 
 TEST(GapMonitor, KeepsNothingUntilForcesAreMeasured) {
@@ -45,10 +45,10 @@ TEST(GapMonitor, CountsWhatFindsNoSample) {
   monitor.addSimulated(2 * kMillisecond, 0.0, 0.0);
   monitor.addSimulated(4 * kMillisecond, 0.0, 0.0);
   monitor.addMeasured(3 * kMillisecond, 1.0);  // between two samples
-  monitor.addMeasured(1 * kMillisecond, 1.0);  // before the first
+  monitor.addMeasured(1 * kMillisecond, 1.0);  // before the first sample
   monitor.addMeasured(2 * kMillisecond, 1.0);
   monitor.addMeasured(2 * kMillisecond, 2.0);  // repeated
-  monitor.addMeasured(5 * kMillisecond, 1.0);  // waits for its sample, which does not come
+  monitor.addMeasured(5 * kMillisecond, 1.0);  // waits for a sample that does not come
   monitor.addSimulated(6 * kMillisecond, 0.0, 0.0);
   EXPECT_EQ(monitor.counters().matched, 1U);
   EXPECT_EQ(monitor.counters().unmatched, 4U);
@@ -122,7 +122,7 @@ TEST(GapMonitor, TakesMemoryAsSamplesCome) {
   }
 }
 
-// Such numbers are beyond the largest that a component accepts, and their squares might overflow.
+// Such numbers exceed what a component accepts, and their squares might overflow.
 TEST(GapMonitor, NumbersBeyondAnyComponentAreNoForces) {
   node::GapMonitor monitor;
   wake(monitor);
@@ -164,7 +164,7 @@ TEST(GapMonitor, TakesSamplesForcesAndLooksFromThreeThreads) {
   }
   simulated.join();
   measured.join();
-  // A force counts as unmatched if too many were waiting or its sample was discarded; some may still wait.
+  // A force is unmatched if too many others waited or its sample was discarded. Some may still wait.
   const node::MatchCounters counters = monitor.counters();
   EXPECT_LE(counters.matched + counters.unmatched, static_cast<std::uint64_t>(kSamples));
   EXPECT_GT(counters.matched, 0U);

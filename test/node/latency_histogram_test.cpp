@@ -26,7 +26,7 @@ TEST(LatencyHistogram, PercentilesAreExactToAnEighthOfAnOctave) {
   const node::LatencyHistogram histogram = counter.take();
   for (const double fraction : {0.01, 0.1, 0.5, 0.9, 0.99, 0.999}) {
     const double exact = samples[static_cast<std::size_t>(fraction * 1e5) - 1];
-    // The percentile is the upper edge of a bucket, an eighth of an octave wide, so it is never too low.
+    // The percentile is the upper edge of a bucket with a width of an eighth of an octave, so it is never too low.
     EXPECT_GE(histogram.percentile(fraction), exact);
     EXPECT_LE(histogram.percentile(fraction), exact * std::exp2(0.125) * (1.0 + 1e-12));
   }

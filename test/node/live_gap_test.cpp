@@ -1,4 +1,4 @@
-// The live gap: its size against a known one, its location, thresholds, trend.
+// The live gap: comparison with a known size, location, thresholds, trend.
 #include "node/live_gap.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -11,9 +11,9 @@ constexpr double kStep = 1e-3;       // [s]
 constexpr double kStiffness = 3e6;   // [N/m]
 constexpr double kAmplitude = 2e-3;  // [m]
 constexpr double kOmega = 2.0 * element::kPi * 4.0;
-constexpr double kRms = kStiffness * kAmplitude / M_SQRT2;  // of the simulated force [N]
+constexpr double kRms = kStiffness * kAmplitude / M_SQRT2;  // RMS of the simulated force [N]
 
-// Samples of a sine of 4 Hz, 10 s long unless stated; `error` is the error of the force as a function of time.
+// Returns samples of a sine of 4 Hz, 10 s by default. `error` is the error of the force as a function of time.
 std::vector<node::MatchedSample> samples(const std::function<double(double)>& error, int count = 10000) {
   std::vector<node::MatchedSample> result;
   for (int i = 0; i < count; ++i) {
@@ -43,7 +43,7 @@ TEST(LiveGap, IsNotKnownWhereNothingMoves) {
 }
 
 TEST(LiveGap, AStiffnessThatIsOffIsInPhase) {
-  // With 10 % more force, the gap relative to the measured deviation is 0.1/1.1.
+  // The force is 10 % too large, so the gap relative to the measured standard deviation is 0.1/1.1.
   const node::LiveGap gap = node::measureGap(
       samples([](double t) { return 0.1 * kStiffness * kAmplitude * std::sin(kOmega * t); }), node::GapSettings());
   ASSERT_TRUE(gap.known) << gap.reason;
@@ -71,13 +71,13 @@ TEST(LiveGap, HarmonicsMeanAndDriftAreToldApart) {
       node::measureGap(samples([](double t) { return 0.1 * kStiffness * kAmplitude * std::sin(3.0 * kOmega * t); }),
                        node::GapSettings());
   EXPECT_GT(share(harmonics, gap::Quantity::harmonics), 0.98);
-  // The offset exceeds two tolerances, which are 10 % of the range each: 2400 N.
+  // The offset exceeds twice the tolerance of 10 % of the range (2400 N).
   const node::LiveGap mean = node::measureGap(samples([](double) { return 5000.0; }), node::GapSettings());
   EXPECT_GT(share(mean, gap::Quantity::mean), 0.98);
   EXPECT_NEAR(mean.gap, 5000.0 / kRms, 1e-6);
   const node::LiveGap drift =
       node::measureGap(samples([](double t) { return 100.0 * (t - 5.0); }), node::GapSettings());
-  // Within each of the 5 windows of 2 s, drift counts as harmonics, which is at most 1/25 of it.
+  // The gap is computed in 5 windows of 2 s. In each, the drift counts partly as harmonics, at most 1/25 of it.
   EXPECT_GT(share(drift, gap::Quantity::drift), 0.9);
 }
 
@@ -96,7 +96,7 @@ TEST(LiveGap, NoiseIsNoGap) {
   std::normal_distribution<double> noise(0.0, 0.15 * kRms);
   const node::LiveGap gap = node::measureGap(samples([&](double) { return noise(random); }), node::GapSettings());
   ASSERT_TRUE(gap.known);
-  // The floor is estimated from the upper part of the spectrum, with an error of some percent.
+  // The noise floor is estimated from the upper part of the spectrum, with an error of some per cent.
   EXPECT_NEAR(gap.noise_floor, gap.gap, 0.1 * gap.gap);
   EXPECT_GT(gap.gap, 0.1);
   EXPECT_LT(gap.beyond_noise, 0.1);
@@ -111,14 +111,14 @@ bool finds(const node::LiveGap& gap, const std::string& name) {
 TEST(LiveGap, WhatTheRigDoesWithinItsTolerancesIsNone) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0.0, 0.01 * kRms);
-  // An offset of 500 N, and a delay of half a sample, which adds 1.3 % of the force in quadrature.
+  // The rig adds an offset of 500 N and a delay of half a sample. The delay adds 1.3 % of the force in quadrature.
   const auto rig = [&](double time) {
     const double late = kStiffness * kAmplitude * (std::sin(kOmega * (time - 0.5 * kStep)) - std::sin(kOmega * time));
     return 500.0 + late + noise(random);
   };
   const node::LiveGap gap = node::measureGap(samples(rig), node::GapSettings());
   ASSERT_TRUE(gap.known) << gap.reason;
-  EXPECT_NEAR(gap.gap, 0.01, 0.0005);  // the noise alone, from 10 000 samples
+  EXPECT_NEAR(gap.gap, 0.01, 0.0005);  // 10 000 samples of noise
   EXPECT_NEAR(gap.gap_as_recorded, 500.0 / kRms, 0.01);
   EXPECT_TRUE(finds(gap, measurement::finding::kForceZero));
   EXPECT_TRUE(finds(gap, measurement::finding::kDelay));
@@ -160,7 +160,7 @@ TEST(LiveGap, ThresholdsActOnWhatIsBeyondNoise) {
 }
 
 TEST(GapTracker, TellsAGapThatGrows) {
-  // The stiffness error grows by 1 % per second; the window delays the gap by half its length, but not its slope.
+  // The stiffness error grows by 1 % per second. The window delays the gap by half its length, but keeps its slope.
   node::GapSettings settings;
   settings.window = 4.0;
   node::GapTracker tracker(settings);
@@ -179,7 +179,7 @@ TEST(GapTracker, TellsAGapThatGrows) {
     }
   }
   ASSERT_TRUE(gap.known);
-  // The derivative of e/(1+e) is 0.01/(1+e)^2, for e from 0.18 to 0.02: 0.0072 to 0.0096.
+  // The derivative of e/(1+e) is 0.01/(1+e)^2, which is 0.0072 to 0.0096 for e from 0.18 to 0.02.
   EXPECT_GT(gap.trend, 0.0070);
   EXPECT_LT(gap.trend, 0.0098);
 }

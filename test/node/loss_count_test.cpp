@@ -1,4 +1,4 @@
-// The count of messages lost to any subscriber equals that of queues that report what they drop.
+// The count of lost messages equals the number that queues report as dropped, for any subscriber.
 #include "node/loss_count.h"
 
 #include <deque>
@@ -10,7 +10,7 @@ namespace {
 
 using Buffer = node::LossCount::Buffer;
 
-// A subscriber as roscpp serves it: a queue that drops its oldest message, and one message that is being sent.
+// A subscriber as in roscpp: a queue that drops its oldest message, and one message in transmission.
 class Subscriber {
  public:
   explicit Subscriber(std::size_t queue_size) : queue_size_(queue_size) {}
@@ -26,7 +26,7 @@ class Subscriber {
     return full;
   }
 
-  // Completes the message that is being sent, and begins the next.
+  // Completes the transmission of a message and begins the next.
   void send() {
     sending_.reset();
     startSending();
@@ -45,8 +45,8 @@ class Subscriber {
   std::optional<Buffer> sending_;
 };
 
-// Drives three subscribers, each of which reads on average `pace` messages for each one published; returns how many
-// messages at least one of them lost.
+// Drives three subscribers, each of which reads on average `pace` messages per published one. Returns how many messages
+// were lost to at least one of them.
 std::size_t drive(std::size_t queue_size, const std::array<double, 3>& pace, int messages, unsigned seed) {
   std::vector<Subscriber> subscribers(3, Subscriber(queue_size));
   node::LossCount losses(queue_size);
@@ -73,7 +73,7 @@ std::size_t drive(std::size_t queue_size, const std::array<double, 3>& pace, int
 }
 
 TEST(LossCount, ExactAtAnyPaceAndLength) {
-  EXPECT_EQ(drive(20, {2.0, 0.0, 2.0}, 2000, 1), 2000U - 21U);  // all but the queue and the message that is being sent
+  EXPECT_EQ(drive(20, {2.0, 0.0, 2.0}, 2000, 1), 2000U - 21U);  // all but the queue and the message in transmission
   std::size_t most = 0;
   for (const std::size_t queue_size : {2U, 3U, 7U, 50U}) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -102,7 +102,7 @@ TEST(LossCount, KeepsNothingThatNoQueueKeeps) {
   };
   add(100);
   EXPECT_LE(kept, 1U);
-  // A message that is being sent forever does not keep others alive beyond a queue.
+  // A message whose transmission never ends keeps at most a queue of other messages alive.
   const Buffer stuck = message();
   losses.begin(stuck);
   add(5001);

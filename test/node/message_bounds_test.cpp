@@ -1,4 +1,4 @@
-// Bounds of messages on the wire: valid ones pass; those that are short, long or have excessive sizes do not.
+// Bounds of messages on the wire: valid messages pass; short or long messages and excessive sizes are refused.
 #include "node/message_bounds.h"
 
 #include "support/test.h"

@@ -1,4 +1,4 @@
-// Serving samples without a master: messages are filled and bundles answered, without allocations or growing memory.
+// Serving samples without a master: filling messages and answering bundles, without allocations or growing memory.
 #include "ros_interface/bundle_server.h"
 #include "ros_interface/message_pool.h"
 #include "ros_interface/sample_server.h"
@@ -103,7 +103,7 @@ TEST_F(NodeCore, AMalformedBundleTouchesNothing) {
   }
 }
 
-// Serves a sample as the node does: counts lost ones, steps, fills a message of the pool, publishes; some are bad.
+// The sequence watch of the node, with any pointer as the sender.
 using Watch = node::SequenceWatch<std::shared_ptr<int>>;
 
 void serve(node::ComponentChannel& channel, Watch& watch, ros_interface::MessagePool<Force>& pool,
@@ -126,7 +126,7 @@ TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
   std::uniform_int_distribution<int> kind(0, 999);
   Displacement sample;
   sample.header.frame_id = "a frame with a name that is longer than short strings are";
-  for (int i = 0; i < 64; ++i) {  // the strings of the pool reach their final size
+  for (int i = 0; i < 64; ++i) {  // the strings of the pool reach their final length
     sample.header.stamp.fromNSec(static_cast<std::uint64_t>(i + 1) * kMillisecond);
     serve(*channels_[0], watch, pool, sample);
   }
@@ -140,7 +140,7 @@ TEST_F(NodeCore, ServesMillionsOfSamplesWithoutAllocation) {
     stamp -= which == 1 ? 2 * kMillisecond : 0;    // step back
     stamp += which == 2 ? 700 * kMillisecond : 0;  // time gap
     sample.header.stamp.fromNSec(stamp);
-    sample.header.seq += which == 5 ? 2 : 1;  // one sample was lost in transit
+    sample.header.seq += which == 5 ? 2 : 1;  // one message was lost
     sample.displacement = which == 3   ? std::numeric_limits<double>::quiet_NaN()
                           : which == 4 ? std::numeric_limits<double>::max()
                                        : 2e-3 * std::sin(0.01 * i);

@@ -27,7 +27,7 @@ io::ComponentDescription withFriction() {
 
 double wave(int i) { return 2e-3 * std::sin(0.025 * i) + 1e-4 * std::cos(0.3 * i); }
 
-/// A model alone, on the same samples.
+/// Steps a model alone on the same samples.
 class Alone {
  public:
   explicit Alone(const io::ComponentDescription& description)
@@ -64,7 +64,7 @@ TEST(Promotion, TakesTheForceOverWithinItsBoundAndGivesItBack) {
     EXPECT_EQ(force(channel, i), ours.force(i));
   }
   channel.promote(withFriction());
-  double weight = 0.0;  // of the promoted model in the published force, where it can be computed
+  double weight = 0.0;  // weight of the promoted model in the published force, where it is known
   for (int i = 100; i < 6000; ++i) {
     if (i == 4000) {
       EXPECT_EQ(channel.running().stage, RunStage::promoted);
@@ -74,7 +74,7 @@ TEST(Promotion, TakesTheForceOverWithinItsBoundAndGivesItBack) {
     const double a = ours.force(i);
     const double b = other.force(i);
     const double published = force(channel, i);
-    // The change in the published force due to the weight is bounded as documented, up to rounding.
+    // The published force changes with the weight at most as documented, up to rounding.
     EXPECT_LE(std::abs(published - (a + weight * (b - a))),
               kStep / kSettings.fade * std::abs(b - a) * (1.0 + 1e-6) + 1e-9)
         << i;
@@ -93,7 +93,7 @@ TEST(Promotion, TakesTheForceOverWithinItsBoundAndGivesItBack) {
   EXPECT_TRUE(channel.running().other_sha256.empty());
 }
 
-// The difference of two forces near the largest double overflows.
+// The difference of two forces near the largest double would overflow.
 TEST(Promotion, ACrossFadeDoesNotOverflow) {
   element::ComponentForce low;
   element::ComponentForce high;
@@ -122,7 +122,7 @@ TEST(Promotion, TellsWhatRuns) {
   EXPECT_THAT(running.note, HasSubstr("no force was measured"));
 }
 
-// The measured force is that of the configured model, so the promoted model would increase the gap.
+// The measured force equals that of the configured model, so the promoted model would increase the gap.
 TEST(Promotion, AWorseModelStaysInTheShadow) {
   node::ComponentChannel channel(configured(), 0.5, kSettings);
   Alone measured(configured());
@@ -158,7 +158,7 @@ TEST(Promotion, RefusesWhatCannotBe) {
   EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("no model is promoted"));
   channel.promote(withFriction());
   EXPECT_THAT(refusalOf([&] { channel.promote(withFriction()); }), HasSubstr("after a rollback"));
-  channel.rollBack();  // from the shadow; this needs no sample
+  channel.rollBack();  // from the shadow, without waiting for a sample
   EXPECT_THAT(refusalOf([&] { channel.rollBack(); }), HasSubstr("no model is promoted"));
   channel.promote(withFriction());
   EXPECT_EQ(channel.running().stage, RunStage::shadow);
@@ -179,7 +179,7 @@ TEST(Promotion, AForceThatIsNotFiniteEndsItAtOnce) {
   EXPECT_THAT(channel.running().note, HasSubstr("not finite"));
 }
 
-// In every stage, the state file contains the promoted model, so that no other file is needed to continue.
+// At every stage, the state file contains the promoted model, so the node can continue without another file.
 TEST(Promotion, ASavedStateGoesOnBitByBit) {
   for (const int saved_at : {500, 2200, 4000, 5100}) {
     node::ComponentChannel whole(configured(), 0.5, kSettings);
@@ -194,7 +194,7 @@ TEST(Promotion, ASavedStateGoesOnBitByBit) {
     after.load(node::parseStates(text, "state.json").front());
     EXPECT_EQ(after.running().stage, whole.running().stage);
     EXPECT_EQ(after.running().other_sha256, whole.running().other_sha256);
-    // A loaded shadow starts again, so this comparison ends where the original shadow ends.
+    // After loading, the shadow phase starts again. So the comparison ends where the original shadow phase ends.
     const int last = saved_at == 500 ? 2000 : saved_at + 2000;
     for (int i = saved_at; i < last; ++i) {
       ASSERT_EQ(force(after, i), force(whole, i)) << "saved at " << saved_at << ", sample " << i;

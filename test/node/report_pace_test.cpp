@@ -1,4 +1,4 @@
-// The rate of log lines about faults that persist.
+// Log lines about faults that persist become rarer with time.
 #include "node/report_pace.h"
 
 #include "support/test.h"

@@ -31,7 +31,7 @@ TEST(SequenceWatch, ASenderThatStartsAnewLosesNothing) {
   const auto sender = std::make_shared<int>();
   watch.take(sender, 1000);
   EXPECT_EQ(watch.take(sender, 0), 0U);
-  EXPECT_EQ(watch.take(sender, 0), 0U);  // a sender that does not count
+  EXPECT_EQ(watch.take(sender, 0), 0U);  // a sender whose numbers do not increase
   EXPECT_EQ(watch.take(sender, 1), 0U);
 }
 
@@ -42,7 +42,7 @@ TEST(SequenceWatch, CountsOverTheEndOfTheNumbers) {
   EXPECT_EQ(watch.take(sender, 1), 2U);
 }
 
-// Twenty senders write in turn, and each loses every second sample.
+// Twenty senders take turns, and each loses every second sample.
 TEST(SequenceWatch, CountsForAsManySendersAsThereAre) {
   Watch watch;
   std::vector<Sender> senders(20);
@@ -58,7 +58,7 @@ TEST(SequenceWatch, CountsForAsManySendersAsThereAre) {
   EXPECT_EQ(lost, 20U * 9U);
 }
 
-// Senders come and go: a new sender must not be mistaken for an old one, even at the same address.
+// Senders come and go. A new sender must not be mistaken for a former one, even if its address is the same.
 TEST(SequenceWatch, TakesNoNewSenderForOneThatWent) {
   Watch watch;
   std::uint32_t lost = 0;
@@ -72,7 +72,7 @@ TEST(SequenceWatch, TakesNoNewSenderForOneThatWent) {
   EXPECT_LE(watch.senders(), 2U);  // former senders are removed
 }
 
-// The null pointer identifies a sender like any other.
+// The null pointer is a valid sender.
 TEST(SequenceWatch, TheEmptySenderIsOneOfThem) {
   Watch watch;
   EXPECT_EQ(watch.take(nullptr, 7), 0U);

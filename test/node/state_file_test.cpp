@@ -1,4 +1,4 @@
-// State files keep every bit and are refused if invalid; only regular files are read or replaced.
+// State files preserve every bit. Invalid files are refused, and only regular files are read or replaced.
 #include "node/state_file.h"
 
 #include <sys/stat.h>
@@ -76,7 +76,7 @@ TEST(StateText, NestingIsBounded) {
     }
     expectRefusal(deep, "nested");
   }
-  // Brackets in a text do not nest.
+  // Brackets within a string are not nested arrays.
   expectRefusal("{\"schema\": \"" + std::string(100, '[') + "\"}", "schema");
 }
 

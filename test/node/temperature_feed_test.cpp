@@ -1,4 +1,4 @@
-// Temperatures by their stamps: which one applies to a sample, late and early ones, a new replay.
+// Temperatures with stamps: which temperature applies to a sample, late and early ones, a new replay.
 #include "node/temperature_feed.h"
 
 #include "node/component_channel.h"
@@ -59,7 +59,7 @@ double push(node::ComponentChannel& channel, std::int64_t stamp, double displace
   return force.total;
 }
 
-// At rest only the spring acts, which shows b_T: 3 kN/mm at 20 degC, 1.06 times that at 40 degC.
+// At rest only the spring acts, with 3 kN/mm at 20 degC. At 40 degC the vertical shift multiplies this by 1.06.
 TEST(ComponentChannel, FollowsTheTemperature) {
   node::ComponentChannel channel(bush(), 0.5);
   EXPECT_TRUE(channel.setTemperature(1000000, 40.0));

@@ -1,4 +1,4 @@
-// Tests the nodelet: forces equal the node's and are not copied within a process, and bad configurations are refused.
+// Tests the nodelet: its forces equal those of the node, no message is copied, and bad configurations are refused.
 #include <net/if.h>
 #include <netinet/in.h>
 #include <nodelet/loader.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kType = "rubber_suspension/simulate";
 
-// Returns the interface to which a listening TCP port of this process is bound; empty if it listens on all interfaces.
+// Returns the network interface of a listening TCP port of this process, or an empty string if it listens on all.
 std::string interfaceOf(std::uint32_t port) {
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
     const int file = std::stoi(entry.path().filename().string());
@@ -69,8 +69,8 @@ TEST(Nodelet, AnswersWithoutCopies) {
     addresses.insert(forces[0].get());
     forces.clear();
   }
-  // The server publishes messages from a pool of its own, and none is freed while a subscriber holds it. Copies would
-  // have had many more addresses.
+  // The server publishes messages from a pool, and reuses a message only when no subscriber uses it. If messages were
+  // copied, they would have many more addresses.
   EXPECT_LE(addresses.size(), 32U);
   EXPECT_TRUE(loader.unload("/simulate"));
 }
@@ -78,7 +78,7 @@ TEST(Nodelet, AnswersWithoutCopies) {
 TEST(Nodelet, KeepsToTheLoopbackInterfaceWhereRosDoes) {
   nodelet::Loader loader;
   ASSERT_TRUE(loader.load("/simulate", kType, {}, {}));
-  // Where this kernel does not permit it, the node reports so and continues.
+  // If the kernel does not permit the restriction, the node reports that and continues.
   const std::string& host = ros::network::getHost();
   const bool expected =
       (host == "localhost" || host.compare(0, 4, "127.") == 0) && ros_interface::keepSlaveApiToLoopback().empty();

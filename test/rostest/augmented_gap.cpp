@@ -1,5 +1,5 @@
-// Tests a diagnosis in the running system: the node with the augmented component file shows the claimed gap on a
-// held-out log.
+// Tests a diagnosis in the running system: on a held-out log, the node with the augmented component file shows the gap
+// that the report states.
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -13,7 +13,7 @@
 namespace rubber_suspension {
 namespace {
 
-// Smooth dry friction after Dahl, in parallel with the rig's own force. No candidate has this law.
+// Returns smooth dry friction after Dahl, in parallel with the force of the rig. No candidate has this law.
 RigEffect dahlFriction() {
   auto force = std::make_shared<double>(0.0);
   auto last = std::make_shared<double>(0.0);
@@ -60,7 +60,7 @@ TEST(AugmentedGap, IsWhatTheReportClaims) {
   ros_interface::LogPlayer player(ros::NodeHandle(), options);
   const ros_interface::PlayResult played = player.play(unseen);
   ASSERT_TRUE(played.exactlyOneEach());
-  // Both gaps use the same numbers and code; only the order of summation of mean and squares differs.
+  // Both gaps are computed by the same code from the same numbers, up to the order of summation.
   EXPECT_NEAR(gapOf(unseen, played.force), result.gap_as_recorded.augmented, 1e-9);
   std::filesystem::remove_all(folder);
 }

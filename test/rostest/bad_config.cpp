@@ -1,4 +1,4 @@
-// A node with a bad configuration prints one line of error that names the mistake, and ends with exit status 1.
+// A node with a bad configuration prints one line that names the mistake, and ends with exit status 1.
 #include <gtest/gtest.h>
 #include <ros/master.h>
 #include <ros/ros.h>
@@ -21,10 +21,10 @@ constexpr const char* kNode = "bad_simulate";
 
 struct Outcome {
   int status = -1;
-  std::vector<std::string> lines;  // of stderr and stdout
+  std::vector<std::string> lines;  // lines of stderr and stdout
 };
 
-// Runs the node until it ends, for at most 20 s.
+// Runs the node until it ends, but at most for 20 s.
 Outcome runNode(const std::string& arguments) {
   Outcome outcome;
   const std::string command =

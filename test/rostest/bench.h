@@ -1,4 +1,4 @@
-// A test bench in lockstep: sends displacements to the node, waits for forces, and reads the node's diagnostics.
+// A test bench that sends displacements to the node, waits for each force, and reads the node's diagnostics.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -19,10 +19,10 @@
 
 namespace rubber_suspension {
 
-/// Time limit [s] after which a wait fails. It is generous, so that no test depends on the speed of the machine.
+/// Time [s] after which a wait fails. It is long, so that no test depends on the speed of the computer.
 constexpr double kPatience = 30.0;
 
-/// Calls ROS's callbacks until `done` holds; returns false if it does not hold in time.
+/// Calls the callbacks of ROS until `done` returns true. Returns false if the time limit is reached first.
 template <class Condition>
 bool spinUntil(Condition done, double patience = kPatience) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
@@ -35,7 +35,7 @@ bool spinUntil(Condition done, double patience = kPatience) {
   return true;
 }
 
-/// A component as seen by the driver of its rig.
+/// A component, as the driver of its rig sees it through topics.
 class Bench {
  public:
   explicit Bench(const std::string& component) : component_(component) {
@@ -44,7 +44,7 @@ class Bench {
                                            [this](const Force::ConstPtr& force) { forces.push_back(*force); });
   }
 
-  /// Waits until no message in either direction can be lost.
+  /// Waits until connections in both directions exist, so that no message is lost.
   bool connect() {
     return ros_interface::waitForPublishers(subscriber_.getTopic(), kPatience) &&
            spinUntil([this] { return publisher_.getNumSubscribers() > 0; });
@@ -60,7 +60,7 @@ class Bench {
     publisher_.publish(message);
   }
 
-  /// Sends a sample and returns its force, which must arrive. All earlier samples must have been answered.
+  /// Sends a sample and returns its force. All earlier samples must have been answered.
   Force ask(std::int64_t stamp, double displacement) {
     const std::size_t before = forces.size();
     send(stamp, displacement);
@@ -71,7 +71,7 @@ class Bench {
     return forces.back();
   }
 
-  /// Returns true once this many forces have arrived in total.
+  /// Waits until this many forces have arrived in total, and returns false if the time limit is reached first.
   bool waitForForces(std::size_t count) {
     return spinUntil([&] { return forces.size() >= count; });
   }
@@ -85,7 +85,7 @@ class Bench {
   ros::Subscriber subscriber_;
 };
 
-/// The newest diagnostics of every component.
+/// Stores the newest diagnostics of every component.
 class DiagnosticsWatch {
  public:
   DiagnosticsWatch() {
@@ -93,7 +93,7 @@ class DiagnosticsWatch {
         "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) { take(*array); });
   }
 
-  /// Returns the value of a key; empty before the first diagnostics of the component.
+  /// Returns the value of a key, or an empty string before the first diagnostics of the component.
   std::string value(const std::string& component, const std::string& key) const {
     const auto status = status_.find(component);
     if (status != status_.end()) {
@@ -122,13 +122,13 @@ class DiagnosticsWatch {
   /// Returns the latest status of each component, by name.
   const std::map<std::string, diagnostic_msgs::DiagnosticStatus>& all() const { return status_; }
 
-  std::size_t arrays = 0;  ///< messages so far
+  std::size_t arrays = 0;  ///< number of messages so far
 
  private:
   void take(const diagnostic_msgs::DiagnosticArray& array) {
     ++arrays;
     for (const auto& status : array.status) {
-      if (!status.values.empty()) {  // the announcement at the node's start has no values
+      if (!status.values.empty()) {  // the announcement at the start of the node has no values
         status_[status.name.substr(status.name.find(": ") + 2)] = status;
       }
     }
@@ -139,7 +139,7 @@ class DiagnosticsWatch {
   std::map<std::string, diagnostic_msgs::DiagnosticStatus> status_;
 };
 
-/// The stamps of the tests start here, because those of a clock are as far from 0.
+/// The stamps of the tests begin here [ns], because stamps from a clock are as large.
 constexpr std::int64_t kStart = 1700000000LL * 1000000000LL;
 constexpr std::int64_t kMillisecond = 1000000LL;
 

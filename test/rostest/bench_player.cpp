@@ -1,4 +1,4 @@
-// Plays logs step by step, held, repeatedly and at a rate, for one and for several components.
+// Plays logs sample by sample, with the last value held, repeatedly and at a rate, for one and for several components.
 #include "ros_interface/bench_player.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kLeft = "left_secondary";
 constexpr const char* kRight = "right_secondary";
 
-// Each log begins 1000 s after the previous one, so that no sample is refused as stepping back.
+// Returns a log that begins 1000 s after the previous one, so that no sample is refused for a step back.
 log::Log sineLog(int samples, std::int64_t interval) {
   static std::int64_t start = kStart;
   start += 1000 * 1000 * kMillisecond;
@@ -80,7 +80,7 @@ TEST(BenchPlayer, LoopsSeveralComponentsSideBySide) {
   EXPECT_TRUE(counts.at(0).exactlyOneEach() && counts.at(1).exactlyOneEach());
   ASSERT_TRUE(left.waitForForces(kPasses * longer.size()));
   ASSERT_TRUE(right.waitForForces(kPasses * shorter.size()));
-  // The period of both is the duration of the longest log plus one of its intervals.
+  // Both logs repeat with the duration of the longer log plus one of its time steps.
   const std::int64_t period = 500 * kMillisecond;
   for (std::size_t i = 0; i < right.forces.size(); ++i) {
     const std::int64_t expected =
@@ -100,7 +100,7 @@ TEST(BenchPlayer, IsNeverFasterThanItsRate) {
   EXPECT_GE(counts.at(0).duration, 1e-9 * static_cast<double>(log.stamp.back() - log.stamp.front()) / kRate);
 }
 
-// Negative stamps, which a header cannot hold, are shifted by the same amount in every pass.
+// A header cannot contain negative stamps, so they are shifted by the same amount in every pass.
 TEST(BenchPlayer, KeepsTheShiftOfNegativeTimes) {
   Bench bench(kLeft);
   ASSERT_TRUE(bench.connect());
@@ -120,7 +120,7 @@ TEST(BenchPlayer, RefusesWhatCannotBeWritten) {
   EXPECT_THROW(ros_interface::BenchPlayer(ros::NodeHandle(), ros_interface::PlayOptions(), {bad}), log::LogError);
 }
 
-// A misspelt component is reported from the node's list of components, long before the time limit for a node to start.
+// A misspelt component is reported from the node's list of components, long before the time limit for connecting.
 TEST(BenchPlayer, ListsTheComponentsThatTheNodeHas) {
   ros_interface::PlayOptions options;
   options.connect_timeout = 10.0 * kPatience;

@@ -1,5 +1,5 @@
-// Faults in the stream of samples, one test and one component each: each accepted sample has exactly one force, equal
-// to that of an undisturbed stream; dropped samples are counted on /diagnostics.
+// Faults in the stream of samples, with one test and one component each. Each accepted sample has one force, equal to
+// that of an undisturbed stream. Dropped samples are counted on /diagnostics.
 #include <rosgraph_msgs/Log.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ double wave(std::int64_t stamp) {
   return 2e-3 * std::sin(2.0 * element::kPi * 4.0 * 1e-9 * static_cast<double>(stamp - kStart));
 }
 
-// Opens the component named like the test, with a model that computes the expected forces.
+// Opens the component with the name of the test, and a model that computes the expected forces.
 class Fault : public testing::Test {
  protected:
   void open(const std::string& name) {
@@ -36,7 +36,7 @@ class Fault : public testing::Test {
     ASSERT_TRUE(bench_->connect());
   }
 
-  // Sends a sample that has to be answered, and checks its force.
+  // Sends a sample that must be answered, and checks its force.
   void expectAnswer(std::int64_t stamp, double displacement) {
     const std::size_t before = bench_->forces.size();
     const Force force = bench_->ask(stamp, displacement);
@@ -52,7 +52,7 @@ class Fault : public testing::Test {
     }
   }
 
-  // Sends samples whose stamps have 10 kHz, as fast as the node answers, with at most a thousand unanswered.
+  // Sends samples with stamps at 10 kHz as fast as the node answers, with at most a thousand unanswered.
   void flood(std::int64_t first, int count) {
     constexpr std::size_t kUnderWay = 1000;
     const std::size_t before = bench_->forces.size();
@@ -67,7 +67,7 @@ class Fault : public testing::Test {
     }
   }
 
-  // Checks the counters, which diagnostics publish once per second. Those that `expected` does not list must be zero.
+  // Checks the counters, which are published once per second. Counters that `expected` does not list must be zero.
   void expectCounts(std::map<std::string, long> expected) {
     for (const char* key : {"dropped", "dropped, not finite", "dropped, force not finite", "dropped, repeated stamp",
                             "dropped, stepped back", "dropped, disabled", "dropped, undecodable",
@@ -102,7 +102,7 @@ TEST_F(Fault, NotFinite) {
 TEST_F(Fault, RepeatedStamp) {
   open("repeated");
   run(kStart, 50);
-  bench_->send(kStart + 49 * kMillisecond, 0.5);  // the state must not follow this other displacement
+  bench_->send(kStart + 49 * kMillisecond, 0.5);  // this displacement must not change the state
   bench_->send(kStart + 49 * kMillisecond, wave(kStart + 49 * kMillisecond));
   run(kStart + 50 * kMillisecond, 50);
   expectCounts({{"accepted", 100}, {"dropped", 2}, {"dropped, repeated stamp", 2}});
@@ -112,7 +112,7 @@ TEST_F(Fault, StepBack) {
   open("stepped_back");
   run(kStart, 50);
   bench_->send(kStart + 48 * kMillisecond, 0.5);
-  bench_->send(kStart + 49 * kMillisecond - kSecond, 0.5);  // a step back of one second at most is no new replay
+  bench_->send(kStart + 49 * kMillisecond - kSecond, 0.5);  // a step back of at most one second is no new replay
   run(kStart + 50 * kMillisecond, 50);
   expectCounts({{"accepted", 100}, {"dropped", 2}, {"dropped, stepped back", 2}});
 }
@@ -120,7 +120,7 @@ TEST_F(Fault, StepBack) {
 TEST_F(Fault, ClockResetByARestartedBag) {
   open("clock_reset");
   run(kStart + 100 * kSecond, 50);
-  run(kStart, 50);  // the component restarts, as does the expected stream
+  run(kStart, 50);  // both the component and the expected stream restart
   expectCounts({{"accepted", 100}, {"restarts", 1}});
 }
 
@@ -151,7 +151,7 @@ TEST_F(Fault, Gap) {
 
 TEST_F(Fault, Burst) {
   open("burst");
-  constexpr int kBurst = 5000;  // all at once, but fewer than the node's queue holds (10000)
+  constexpr int kBurst = 5000;  // sent at once, but fewer than fit into the queue of the node (10000)
   for (int i = 0; i < kBurst; ++i) {
     bench_->send(kStart + i * kMillisecond, wave(kStart + i * kMillisecond));
   }
@@ -163,21 +163,21 @@ TEST_F(Fault, Burst) {
   expectCounts({{"accepted", kBurst}});
 }
 
-// Three seconds of samples whose stamps have 10 kHz, sent as fast as the node answers.
+// The samples have stamps at 10 kHz over three seconds, and are sent as fast as the node answers.
 TEST_F(Fault, FloodOfTenKilohertz) {
   open("flood");
   flood(kStart, 30000);
   expectCounts({{"accepted", 30000}});
 }
 
-// This name is legal, but other parsers might refuse it.
+// The name is legal in ROS, although other parsers might refuse it.
 TEST_F(Fault, OddName) {
   open("Q_9__z_");
   run(kStart, 100);
   expectCounts({{"accepted", 100}});
 }
 
-// The node must not write a line for each of 2000 bad samples per second.
+// The node must not log a line for each of 2000 bad samples per second.
 TEST_F(Fault, LogsOneLineASecondAtMost) {
   open("logged");
   std::size_t lines = 0;
@@ -190,11 +190,11 @@ TEST_F(Fault, LogsOneLineASecondAtMost) {
   ASSERT_TRUE(spinUntil([&] { return diagnostics_.arrays > 0; }));
   const std::size_t before = diagnostics_.arrays;
   long sent = 0;
-  while (diagnostics_.arrays < before + 3) {  // one per second
+  while (diagnostics_.arrays < before + 3) {  // one array per second
     for (int i = 0; i < 20; ++i, ++sent) {
       bench_->send(kStart + sent, std::numeric_limits<double>::quiet_NaN());
     }
-    // The node's queue holds five seconds of these samples.
+    // Five seconds of these samples fit into the queue of the node.
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
   }
   expectCounts({{"accepted", 0}, {"dropped", sent}, {"dropped, not finite", sent}});
@@ -202,25 +202,25 @@ TEST_F(Fault, LogsOneLineASecondAtMost) {
   EXPECT_LE(lines, diagnostics_.arrays - before + 1);
 }
 
-// A subscriber that does not read its socket must not delay the others, and the node must bound its backlog.
+// A subscriber that does not read its socket must not delay others, and the node must limit its backlog.
 TEST_F(Fault, SubscriberThatStalls) {
   open("stalled");
   const StalledSubscriber<Force> stalled("/simulate", "/stalled/force");
   ASSERT_TRUE(stalled.connected());
   const pid_t node = processOf("/simulate");
   ASSERT_GT(node, 0);
-  constexpr int kFill = 100000;  // more than the subscriber's queue (40000) and the sockets hold
+  constexpr int kFill = 100000;  // more than fits into the subscriber's queue (40000) and the sockets
   constexpr int kMore = 40000;
-  constexpr long kWire = 64;  // bytes, more than a force has on the wire
+  constexpr long kWire = 64;  // bytes, more than a force takes on the wire
   flood(kStart, kFill);
   const long full = benchmark::residentMemory(node);
   flood(kStart + kFill * kMillisecond / 10, kMore);
-  // If the node had kept all unread forces, its memory would have grown by more than this, because each force waits in
-  // a block of its own with pointers to it.
+  // If the node kept all unread forces, its memory would grow by more than this, because each force occupies a block of
+  // its own, with pointers to it.
   EXPECT_LT(benchmark::residentMemory(node) - full, kWire * kMore);
-  // The subscriber has stalled indeed: its socket buffer holds only a part of what was sent.
+  // The subscriber has indeed stalled: its socket buffer contains only a part of what was sent.
   EXPECT_LT(stalled.unread(), kWire * kFill);
-  // Undelivered forces are counted, except those that still wait in the queue and the sockets.
+  // Undelivered forces are counted, except those that still wait in the queue and in the sockets.
   EXPECT_TRUE(diagnostics_.waitForCount(name_, "accepted", kFill + kMore));
   const long missed = diagnostics_.count(name_, "forces not delivered");
   EXPECT_GT(missed, 0);
@@ -243,7 +243,7 @@ TEST_F(Fault, PublisherThatComesAndGoes) {
   EXPECT_EQ(diagnostics_.count("comes_and_goes", "lost before arrival"), 0);
 }
 
-// The second publisher is a process of its own that relays what it receives. Both take turns; then the second is late.
+// The second publisher is a process that relays what it receives. The two take turns, then the second one is late.
 TEST_F(Fault, TwoPublishersOnOneTopic) {
   open("two_publishers");
   Bench second("relay");
@@ -263,7 +263,7 @@ TEST_F(Fault, TwoPublishersOnOneTopic) {
   expectCounts({{"accepted", 100}, {"dropped", 2}, {"dropped, repeated stamp", 1}, {"dropped, stepped back", 1}});
 }
 
-// Relays displacements from another topic, as a second publisher to the component `two_publishers`.
+// Relays displacements from another topic, and so is a second publisher for the component `two_publishers`.
 int relay(int argc, char** argv) {
   ros::init(argc, argv, "relay");
   ros::NodeHandle handle;

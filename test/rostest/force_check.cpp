@@ -1,4 +1,4 @@
-// Tests the test node check_force against a running node: it passes and fails where it has to, and reports in XML.
+// Tests the test node check_force with a running node: when it passes, when it fails, and its report in XML.
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
@@ -13,9 +13,9 @@
 namespace rubber_suspension {
 namespace {
 
-constexpr double kNoise = 0.1;  // standard deviation of the noise over that of the measured force
+constexpr double kNoise = 0.1;  // standard deviation of the noise divided by that of the measured force
 
-// Result of the program: exit status, number of failures and text of the first one.
+// Exit status of the program, number of failures, and text of the first failure.
 struct Outcome {
   int status = -1;
   int failures = -1;
@@ -51,7 +51,7 @@ class ForceCheckNode : public testing::Test {
     return outcome;
   }
 
-  // Writes the force of left_secondary with white noise of a tenth of its standard deviation; the seed is fixed.
+  // Writes the force of left_secondary with white noise of a tenth of its standard deviation, with a fixed seed.
   void writeMeasured() const {
     log::Log log;
     log.name = "measured";
@@ -75,7 +75,7 @@ class ForceCheckNode : public testing::Test {
 };
 
 // The standard deviation of 4000 noise samples has a standard error of 1/sqrt(8000) = 1.1 %, so both limits are ten
-// standard errors away. The mean of the force, far below its deviation, changes that by less than 1 %.
+// standard errors away. The mean of the force changes the gap by less than 1 %.
 TEST_F(ForceCheckNode, PassesAndFailsOnEitherSideOfTheGap) {
   writeMeasured();
   const std::string log = "--component left_secondary --log " + path(".csv");

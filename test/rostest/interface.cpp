@@ -1,4 +1,4 @@
-// A running node has exactly the topics and services of the table.
+// A running node has exactly the topics and services that the table lists.
 #include <ros/master.h>
 #include <ros/service.h>
 
@@ -15,7 +15,7 @@ using Names = std::set<std::string>;
 
 const std::string kNode = "/bench/simulate";
 
-// Names that the master lists for the node: topics published, topics subscribed, or services.
+// Returns the names that the master lists for the node: topics published, topics subscribed, or services.
 Names ofNode(int list) {
   XmlRpc::XmlRpcValue request;
   XmlRpc::XmlRpcValue response;
@@ -44,7 +44,7 @@ Names withoutThoseOfAllNodes(Names names) {
   return names;
 }
 
-// Inserts the name for each direction in which the bush has a law.
+// Inserts the name once for each direction in which the bush has a law.
 void insertAll(const std::string& name, Names& names) {
   const std::string placeholder = "DIRECTION";
   const std::size_t place = name.find(placeholder);

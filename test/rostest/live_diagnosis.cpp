@@ -1,5 +1,5 @@
-// Tests the live diagnosis over topics: friction that sets in during the run is named with its onset. A service
-// promotes the model, which closes the gap, and another rolls back, which opens it again.
+// Tests the live diagnosis over topics. Friction that begins during the run is named with its onset. A service promotes
+// the model, which closes the gap, and another service rolls back, which opens the gap again.
 #include <rubber_suspension/Diagnosis.h>
 #include <rubber_suspension/Gap.h>
 #include <rubber_suspension/MeasuredForce.h>
@@ -21,9 +21,9 @@ namespace rubber_suspension {
 namespace {
 
 constexpr int kRate = 200;       // [Hz]
-constexpr double kOnset = 50.0;  // [s] after the start
+constexpr double kOnset = 50.0;  // time after the start [s]
 
-/// The component on the rig, with white noise of 1 % of its force and, once it is switched on, friction.
+/// Simulates the component with white noise of 1 % of its force and, once switched on, friction.
 class VirtualRig {
  public:
   explicit VirtualRig(const io::ComponentDescription& component)
@@ -70,7 +70,7 @@ class LiveDiagnosisTopic : public testing::Test {
     listen<Gap>("bush/shadow_gap", shadow_gap_);
     ASSERT_TRUE(bench_.connect());
     ASSERT_TRUE(spinUntil([&] { return measured_.getNumSubscribers() > 0; }));
-    // Both topics are latched, so messages arrive without a sample.
+    // Both topics are latched, so their messages arrive without any sample.
     ASSERT_TRUE(spinUntil([&] { return !diagnosis_.verdict.empty() && !running_.component.empty(); }));
   }
 
@@ -82,7 +82,7 @@ class LiveDiagnosisTopic : public testing::Test {
 
   static std::int64_t stampOf(double t) { return kStart + std::llround(1e9 * t); }
 
-  // Plays on for a duration [s of the stamps] at twenty times real time, or until `done`. Each batch is sent after the
+  // Continues for a duration [s of the stamps] at twenty times real time, or until `done`. A batch is sent when the
   // previous one was answered, so that no sample is lost.
   void play(double duration, const std::function<bool()>& done = [] { return false; }) {
     const std::int64_t last = count_ + std::llround(duration * kRate);
@@ -103,9 +103,9 @@ class LiveDiagnosisTopic : public testing::Test {
 
   double now() const { return static_cast<double>(count_) / kRate; }
 
-  // Returns the mean gap over the next windows, from messages of the node.
+  // Returns the mean gap over the next windows, as published by the node.
   double gapFromNow() {
-    play(6.0);  // longer than a window, so that it contains no earlier samples
+    play(6.0);  // longer than a window, so that the window contains no earlier samples
     const ros::Time fresh = bag::toRosTime(stampOf(now()));
     play(60.0, [&] { return gap_.header.stamp > fresh; });
     EXPECT_GT(gap_.header.stamp, fresh);
@@ -128,7 +128,7 @@ class LiveDiagnosisTopic : public testing::Test {
   Running running_;
   Gap gap_;
   Gap shadow_gap_;
-  std::int64_t count_ = 0;  // samples sent
+  std::int64_t count_ = 0;  // number of samples sent
 };
 
 TEST_F(LiveDiagnosisTopic, NamesTheFrictionPromotesItAndGoesBack) {
@@ -141,7 +141,7 @@ TEST_F(LiveDiagnosisTopic, NamesTheFrictionPromotesItAndGoesBack) {
 
   play(kOnset, [&] { return !diagnosis_.effects.empty(); });
   EXPECT_TRUE(diagnosis_.effects.empty()) << diagnosis_.sentence;
-  // A gtest checks that it takes at most two minutes; on a busy machine the diagnosis may run late here.
+  // A gtest checks the limit of two minutes. Here the diagnosis may take longer, if other programs slow it down.
   play(600.0, [&] { return !diagnosis_.effects.empty(); });
   ASSERT_FALSE(diagnosis_.effects.empty()) << diagnosis_.verdict << ": " << diagnosis_.sentence;
   EXPECT_EQ(diagnosis_.effects.front(), "friction") << diagnosis_.sentence;
@@ -161,7 +161,7 @@ TEST_F(LiveDiagnosisTopic, NamesTheFrictionPromotesItAndGoesBack) {
   EXPECT_FALSE(running_.added.empty());
   const double promoted = gapFromNow();
   EXPECT_LT(promoted, 0.5 * before);  // the noise of 1 % is an eighth of the gap due to the friction
-  // The gap of the configured model is still published; it is only about the same, because the motion differs.
+  // The gap of the configured model is still published. It differs somewhat, because the motion differs.
   EXPECT_NEAR(shadow_gap_.gap, before, 0.3 * before);
 
   ASSERT_TRUE(call("bush/rollback").response.success);

@@ -1,4 +1,4 @@
-// Tests the live gap over topics: forces before, after and out of order with their displacements; thresholds.
+// Tests the live gap over topics: thresholds, and forces before, after and in another order than the displacements.
 #include <rubber_suspension/Gap.h>
 #include <rubber_suspension/MeasuredForce.h>
 
@@ -31,7 +31,7 @@ class LiveGapTopic : public testing::Test {
     publisher_.publish(message);
   }
 
-  // Sends one window of a sine; the measured force is the simulated one times a factor, sent half a second late.
+  // Sends one window of a sine. The measured force is the simulated force times a factor, half a second later.
   void run(int first, double factor) {
     constexpr std::size_t kLate = 500;
     std::vector<Force> answers;
@@ -50,7 +50,7 @@ class LiveGapTopic : public testing::Test {
     measure(static_cast<std::int64_t>(force.header.stamp.toNSec()), factor * force.force);
   }
 
-  // Waits for the gap of the whole window, because the last messages may still be in transit.
+  // Waits for the gap of the whole window, because the last messages may be in transit.
   bool waitForWindow(int last) {
     const ros::Time newest = bag::toRosTime(kStart + last * kMillisecond);
     return spinUntil([&] { return gap_.samples >= kSamples && gap_.header.stamp >= newest; });
@@ -66,7 +66,7 @@ class LiveGapTopic : public testing::Test {
 
 TEST_F(LiveGapTopic, LateForcesAreMatchedAndThresholdsTellTheLevel) {
   open("left_secondary");
-  // The node stores samples only once a force was measured, for which any force counts, even one that is not finite.
+  // The node stores samples only after a measured force arrived. Any force counts, even one that is not finite.
   measure(kStart, std::nan(""));
   ASSERT_TRUE(diagnostics_.waitForCount("left_secondary", "measured forces, not finite", 1));
   run(0, 1.0);
@@ -74,7 +74,7 @@ TEST_F(LiveGapTopic, LateForcesAreMatchedAndThresholdsTellTheLevel) {
   EXPECT_EQ(gap_.level, Gap::OK);
   EXPECT_EQ(gap_.gap, 0.0);
 
-  // The measured force exceeds the simulated one by 10 %: the gap is 0.1/1.1, most of it a share of the stiffness.
+  // The measured force is 10 % larger than the simulated force, so the gap is 0.1/1.1. Most of it is stiffness.
   run(kSamples, 1.1);
   ASSERT_TRUE(waitForWindow(2 * kSamples - 1));
   EXPECT_NEAR(gap_.gap, 0.1 / 1.1, 0.005);
@@ -99,7 +99,7 @@ TEST_F(LiveGapTopic, LateForcesAreMatchedAndThresholdsTellTheLevel) {
 TEST_F(LiveGapTopic, EarlyForcesAreMatchedAndBadOnesCounted) {
   open("right_secondary");
   for (int i = 0; i < 200; ++i) {
-    measure(kStart + i * kMillisecond, 100.0);  // each before its displacement
+    measure(kStart + i * kMillisecond, 100.0);  // each force arrives before its displacement
   }
   measure(kStart, std::nan(""));
   ASSERT_TRUE(diagnostics_.waitForCount("right_secondary", "measured forces, not finite", 1));

@@ -1,4 +1,4 @@
-// The master dies and returns: the node answers samples all the while, and clients find it again afterwards.
+// The master dies and returns. The node answers samples meanwhile, and clients find the node again afterwards.
 #include <std_srvs/Trigger.h>
 
 #include <cstdlib>
@@ -12,7 +12,7 @@ namespace {
 
 class MasterRestart : public testing::Test {
  protected:
-  // Starts a master for this test alone, because that of rostest has to stay alive.
+  // Starts a master for this test alone, because the master of rostest must stay alive.
   static std::unique_ptr<ros_interface::ChildProcess> startMaster(int port) {
     auto master = std::make_unique<ros_interface::ChildProcess>(
         std::vector<std::string>{"rosmaster", "--core", "-p", std::to_string(port)});
@@ -43,7 +43,7 @@ TEST_F(MasterRestart, SamplesAreServedAndTheNodeIsFoundAgain) {
   }
   EXPECT_EQ(left.forces.size(), 400U);
 
-  // The node registers again within seconds; then a new client finds it.
+  // Within seconds the node registers again, so that a new client finds it.
   Bench right("right_secondary");
   ASSERT_TRUE(right.connect());
   EXPECT_NEAR(right.ask(kStart, 0.002).displacement, 0.002, 0.0);

@@ -1,4 +1,4 @@
-// A running node as seen from outside: its slave API, process and memory; and a subscriber that stalls.
+// A running node as seen from outside: its slave API, process and memory. Also a subscriber that stalls.
 #pragma once
 
 #include <arpa/inet.h>
@@ -18,7 +18,7 @@
 
 namespace rubber_suspension {
 
-/// Calls the slave API of a node; `arguments` follow the caller's name. Returns an invalid value if it does not answer.
+/// Calls the slave API of a node with `arguments` after the caller's name. Returns an invalid value without an answer.
 inline XmlRpc::XmlRpcValue askNode(const std::string& node, const std::string& method,
                                    XmlRpc::XmlRpcValue arguments = XmlRpc::XmlRpcValue()) {
   XmlRpc::XmlRpcValue lookup;
@@ -40,14 +40,14 @@ inline XmlRpc::XmlRpcValue askNode(const std::string& node, const std::string& m
                                                                                               : XmlRpc::XmlRpcValue();
 }
 
-/// Returns the process of a node; 0 if it does not answer.
+/// Returns the process of a node, or 0 if the node does not answer.
 inline pid_t processOf(const std::string& node) {
   XmlRpc::XmlRpcValue answer = askNode(node, "getPid");
   return answer.getType() == XmlRpc::XmlRpcValue::TypeInt ? static_cast<int>(answer) : 0;
 }
 
-/// A subscriber on the wire that connects and then reads nothing. Its receive buffer is small, so that messages
-/// accumulate at the sender.
+/// A subscriber that connects and then reads nothing. Its receive buffer is small, so that messages accumulate at the
+/// sender.
 template <class Message>
 class StalledSubscriber {
  public:
@@ -65,13 +65,13 @@ class StalledSubscriber {
   StalledSubscriber(const StalledSubscriber&) = delete;
   StalledSubscriber& operator=(const StalledSubscriber&) = delete;
 
-  /// Returns true once the sender has answered the connection header.
+  /// Returns true if the sender has answered the connection header.
   bool connected() const {
     pollfd waiting{socket_, POLLIN, 0};
     return connected_ && poll(&waiting, 1, 10000) == 1;
   }
 
-  /// Returns the number of bytes that have arrived and are unread.
+  /// Returns the number of bytes that have arrived but were not read.
   int unread() const {
     int bytes = 0;
     return ioctl(socket_, FIONREAD, &bytes) == 0 ? bytes : 0;

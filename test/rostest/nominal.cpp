@@ -1,4 +1,4 @@
-// Tests the node in normal operation: one force per displacement, headers, parts, diagnostics, reset.
+// Tests the node in normal operation: one force per displacement, headers, parts of the force, diagnostics, reset.
 #include <rubber_suspension/DisplacementArray.h>
 #include <rubber_suspension/ForceArray.h>
 #include <std_srvs/Trigger.h>
@@ -23,7 +23,7 @@ TEST(Nominal, EverySampleHasOneForceWithItsHeader) {
     EXPECT_EQ(force.header.stamp, bag::toRosTime(kStart + static_cast<std::int64_t>(i) * kMillisecond));
     EXPECT_EQ(force.header.frame_id, "bench");
     EXPECT_EQ(force.displacement, 1e-3 * std::sin(0.025 * static_cast<double>(i)));
-    // The parts are summed in another order than the total, so they agree up to rounding.
+    // The parts are summed in another order than the total, so both agree only up to rounding.
     EXPECT_NEAR(force.force, force.elastic + force.viscous + force.friction, 1e-12 * (1.0 + std::abs(force.force)));
   }
 }
@@ -34,7 +34,7 @@ TEST(Nominal, RestAtADisplacementIsTheStaticForce) {
   std_srvs::Trigger reset;
   ASSERT_TRUE(ros_interface::callService("/simulate/reset", reset));
   EXPECT_TRUE(reset.response.success) << reset.response.message;
-  // 2 mm at 3 kN/mm: a component at rest is relaxed and has its static stiffness alone.
+  // A component at rest is relaxed, so 2 mm give the force of the static stiffness of 3 kN/mm.
   EXPECT_NEAR(bench.ask(kStart, 0.002).force, 6000.0, 1e-6);
 }
 
@@ -57,7 +57,7 @@ TEST(Nominal, ABundleIsAnsweredByTheSameComponents) {
   EXPECT_EQ(answers[0].components, (std::vector<std::string>{"left_secondary", "right_secondary"}));
   EXPECT_NEAR(answers[0].force[0], 6000.0, 1e-6);
   EXPECT_NEAR(answers[0].force[1], 3000.0, 1e-6);
-  // The single topic continues from the state after the bundle.
+  // A sample on the single topic continues from the state after the bundle.
   Bench bench("left_secondary");
   ASSERT_TRUE(bench.connect());
   EXPECT_GT(bench.ask(kStart + kMillisecond, 0.003).viscous, 0.0);
@@ -71,7 +71,7 @@ TEST(Nominal, DiagnosticsTellRateAndCounts) {
   for (int i = 0; i < 100; ++i) {
     bench.ask(kStart + i * kMillisecond, 1e-5 * i);
   }
-  EXPECT_TRUE(diagnostics.waitForCount("right_secondary", "accepted", 101));  // with the sample of the bundle
+  EXPECT_TRUE(diagnostics.waitForCount("right_secondary", "accepted", 101));  // includes the sample of the bundle
   EXPECT_EQ(diagnostics.count("right_secondary", "dropped"), 0);
   EXPECT_EQ(diagnostics.count("right_secondary", "lost before arrival"), 0);
   const auto& status = diagnostics.all().at("right_secondary");

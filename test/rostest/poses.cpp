@@ -1,5 +1,5 @@
-// Poses and wrenches: each accepted pose has exactly one wrench, equal to that of an undisturbed stream; dropped poses
-// are counted; states, bundles and the gap of each direction. Each test has a component of its own.
+// Poses and wrenches: each accepted pose has one wrench, equal to that of an undisturbed stream. Dropped poses are
+// counted. Also tests states, bundles and the gap of each direction. Each test has its own component.
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <rubber_suspension/DisplacementArray.h>
@@ -79,7 +79,7 @@ class Poses : public testing::Test {
     publisher_.publish(message);
   }
 
-  // Sends a pose that has to be answered, and checks its wrench.
+  // Sends a pose that must be answered, and checks its wrench.
   void expectAnswer(std::int64_t stamp, const Position& position, const Rotation& rotation) {
     const std::size_t before = wrenches_.size();
     send(stamp, position, rotation);
@@ -97,7 +97,7 @@ class Poses : public testing::Test {
     }
   }
 
-  // Checks the counters; those that `expected` does not list must be zero.
+  // Checks the counters. Counters that `expected` does not list must be zero.
   void expectCounts(std::map<std::string, long> expected) {
     for (const char* key :
          {"dropped", "dropped, not finite", "dropped, repeated stamp", "dropped, stepped back", "dropped, no rotation",
@@ -235,7 +235,7 @@ TEST_F(Poses, ALoadedStateGoesOnWithTheSameBits) {
   run(kStart, 10);
 }
 
-// The measured force along x is a fifth larger than simulated; all other directions agree.
+// The measured force along x is a fifth larger than the simulated force. All other directions agree.
 TEST_F(Poses, TheGapIsThatOfEachDirection) {
   open("measured");
   std::map<std::string, Gap> gaps;
@@ -258,7 +258,7 @@ TEST_F(Poses, TheGapIsThatOfEachDirection) {
     message.wrench.torque.x = wrench.moment.x();
     message.wrench.torque.y = wrench.moment.y();
     message.wrench.torque.z = wrench.moment.z();
-    if (i % 2 == 0) {  // half of them before their pose, the others after it
+    if (i % 2 == 0) {  // half of the forces arrive before their pose, the others after it
       measured_.publish(message);
     }
     send(stamp, wayAt(stamp), turnAt(stamp));
@@ -294,10 +294,10 @@ TEST_F(Poses, ABundleIsAnsweredByTheSameComponents) {
   ASSERT_TRUE(spinUntil([&] { return !answers.empty(); }));
   EXPECT_EQ(answers[0].header.stamp, bundle.header.stamp);
   EXPECT_EQ(answers[0].header.frame_id, "body_a");
-  ASSERT_EQ(answers[0].components, std::vector<std::string>{"bush"});  // the rotation of the other is out of range
+  ASSERT_EQ(answers[0].components, std::vector<std::string>{"bush"});  // the rotation of the other bush is out of range
   expectSame(answers[0].wrenches.at(0),
              expected_->push(kStart, wayAt(kStart + kMillisecond), turned(1.0)).force.wrench);
-  // The single topic continues from the state after the bundle.
+  // A sample on the single topic continues from the state after the bundle.
   run(kStart + kMillisecond, 5);
   // A component of six directions does not accept a displacement.
   DisplacementArray wrong;

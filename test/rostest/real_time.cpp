@@ -1,4 +1,4 @@
-// Tests the real-time set-up: used where it is permitted, else reported as missing; samples are answered in both cases.
+// Tests the real-time settings: they are used if permitted, or reported as missing. Samples are answered in both cases.
 #include <sched.h>
 #include <signal.h>
 #include <sys/mman.h>
@@ -22,7 +22,7 @@ namespace {
 constexpr int kPriority = 7;
 constexpr const char* kNode = "/timely";
 
-// Tries in a child process whether the system permits an operation that the node requests.
+// Returns true if the system permits an operation that the node requests. A child process tries it.
 bool permitted(const std::function<bool()>& attempt) {
   const pid_t child = fork();
   if (child == 0) {
@@ -41,12 +41,12 @@ bool mayBeTimely() {
   });
 }
 
-// A node maps more memory than an unprivileged process may lock by default.
+// Returns true if the node may lock its memory, of which it maps more than an unprivileged process may lock by default.
 bool mayLockMemory() {
   return permitted([] { return mlockall(MCL_CURRENT | MCL_FUTURE) == 0; });
 }
 
-// The node with two serving threads, started as a user would, with its output kept. It ends by itself after 60 s.
+// Starts the node with two serving threads as a user would, and stores its output. It ends by itself after 60 s.
 class TimelyNode {
  public:
   explicit TimelyNode(const std::string& prefix) {
@@ -60,7 +60,7 @@ class TimelyNode {
   TimelyNode(const TimelyNode&) = delete;
   TimelyNode& operator=(const TimelyNode&) = delete;
 
-  // Ends the node; afterwards its output and exit status are available.
+  // Ends the node, and makes its output and exit status available.
   void end() {
     if (output_ == nullptr) {
       return;
@@ -87,7 +87,7 @@ class TimelyNode {
   int status_ = -1;
 };
 
-// Number of threads of a process that have the requested priority.
+// Returns the number of threads of a process that have the requested priority.
 int timelyThreads(pid_t process) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
@@ -99,7 +99,7 @@ int timelyThreads(pid_t process) {
   return count;
 }
 
-// Locked memory of a process [kB].
+// Returns the locked memory of a process [kB].
 long lockedMemory(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/status");
   std::string word;
@@ -126,7 +126,7 @@ TEST(RealTime, UsedWherePermittedAndSaidSo) {
   expectService();
   const pid_t process = processOf(kNode);
   ASSERT_GT(process, 0);
-  // The other threads keep normal priority, so that they can stop the serving threads.
+  // The other threads have normal priority, so that the serving threads do not prevent the system from stopping them.
   EXPECT_EQ(timelyThreads(process), timely ? 2 : 0);
   EXPECT_EQ(lockedMemory(process) > 0, locks);
   node.end();
@@ -135,7 +135,7 @@ TEST(RealTime, UsedWherePermittedAndSaidSo) {
   EXPECT_EQ(node.exitStatus(), 0);
 }
 
-// The node runs without the capabilities and limits for real time, even if root runs this test.
+// The node lacks the capabilities and limits for real time, even if root runs this test.
 TEST(RealTime, SaysSoWhereNotPermittedAndServes) {
   std::string prefix = "prlimit --rtprio=0:0 --memlock=65536:65536 ";
   if (geteuid() == 0) {

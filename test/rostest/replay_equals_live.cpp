@@ -1,4 +1,4 @@
-// A log gives the same forces to the last bit live, from a CSV file, from a bag, and by the command `replay`.
+// A log gives the same forces to the last bit through the node, from a CSV file, from a bag, and by `replay`.
 #include <unistd.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ class ReplayEqualsLive : public testing::TestWithParam<std::string> {
   std::string path(const std::string& end) const { return testing::TempDir() + "live_" + GetParam() + end; }
 };
 
-// Noise-like motion with uneven steps and one time gap longer than max_gap; seed fixed.
+// Returns a random motion with uneven steps and one time gap longer than max_gap, from a fixed seed.
 log::Log unevenLog(double start) {
   std::mt19937 random(20151);
   std::normal_distribution<double> kick(0.0, 2e-4);
@@ -65,7 +65,7 @@ TEST_P(ReplayEqualsLive, ToTheLastBit) {
   expectSame(gap::replay(component, log).force, live(GetParam(), log));
 }
 
-// These logs start earlier than the one above: the node sees a jump back of more than a second, and starts again.
+// These logs start before the log above. The node sees a step back of more than a second, and starts again.
 TEST_P(ReplayEqualsLive, ThroughCsvAndBag) {
   const auto components = io::loadComponentFile(configFile());
   const component::Component component = io::selectComponent(components, GetParam()).makeComponent();

@@ -1,4 +1,4 @@
-// A node that ends during a run is respawned and serves again: from rest, or from its saved state.
+// A node that ends during a run is started again, and serves from rest or from its saved state.
 #include <signal.h>
 #include <std_srvs/Trigger.h>
 
@@ -29,7 +29,7 @@ class Respawn : public testing::Test {
     }
   }
 
-  // Ends the node while samples are unanswered, and waits until its successor serves the bench.
+  // Ends the node while some samples have no answer, and waits until its successor serves the bench.
   void endAndWait(const std::string& node, const std::function<void(pid_t)>& end) {
     const pid_t before = processOf(node);
     ASSERT_GT(before, 0);
@@ -47,7 +47,7 @@ class Respawn : public testing::Test {
 
   static void killIt(pid_t process) { ASSERT_EQ(kill(process, SIGKILL), 0); }
 
-  static constexpr int kUnderWay = 10000;  // number of the first sample that is unanswered at the end
+  static constexpr int kUnderWay = 10000;  // number of the first sample without an answer at the end
   std::unique_ptr<Bench> bench_;
 };
 
@@ -57,7 +57,7 @@ TEST_F(Respawn, ServesAgainAfterItWasKilled) {
   EXPECT_EQ(bench_->forces.size(), 100U);
   endAndWait("/simulate", killIt);
 
-  // Samples in transit at the end are answered at most once.
+  // A sample in transit when the node ends is answered at most once.
   std::set<ros::Time> stamps;
   for (const Force& force : bench_->forces) {
     EXPECT_TRUE(stamps.insert(force.header.stamp).second) << force.header.stamp;
@@ -65,14 +65,14 @@ TEST_F(Respawn, ServesAgainAfterItWasKilled) {
   }
   const std::size_t before = bench_->forces.size();
   DiagnosticsWatch diagnostics;
-  // The component is new and at rest: 2 mm at the static stiffness of 3 kN/mm.
+  // The component is new and at rest, so 2 mm give the force of the static stiffness of 3 kN/mm.
   EXPECT_NEAR(bench_->ask(kStart + 20000 * kMillisecond, 0.002).force, 6000.0, 1e-6);
   ask(20001, 20050);
   EXPECT_EQ(bench_->forces.size(), before + 50);
   EXPECT_TRUE(diagnostics.waitForCount("left_secondary", "accepted", 50));
 }
 
-// The node is ended by the call `shutdown` of its slave API: any client may send it, and the node exits without error.
+// The call `shutdown` of the slave API ends the node without an error. Any client may send this call.
 TEST_F(Respawn, GoesOnBitByBitWhereTheStateWasSaved) {
   const std::string node = "/keeping/simulate";
   const auto shut_down = [&](pid_t /*process*/) {

@@ -1,4 +1,4 @@
-// A short soak test: 400,000 samples as fast as the node answers, one force each, in memory that does not grow.
+// A short soak test: 400,000 samples as fast as the node answers, with one force each and constant memory.
 #include "bench.h"
 #include "benchmark/latency/latency_benchmark.h"
 
@@ -11,7 +11,7 @@ TEST(Soak, EverySampleHasItsForceAndMemoryStays) {
   EXPECT_EQ(result.sent, kSamples);
   EXPECT_EQ(result.answered, result.sent);
   EXPECT_EQ(result.surplus, 0U);
-  // Buffers and queues reach their size in the first tenth. Eight bytes kept of every later sample are 2.9 MB.
+  // Buffers and queues reach their final size in the first tenth. A leak of eight bytes per later sample is 2.9 MB.
   ASSERT_EQ(result.memory.size(), 100U);
   ASSERT_GT(result.memory[9], 0);
   EXPECT_LT(result.memory.back() - result.memory[9], 1500000);

@@ -1,4 +1,4 @@
-// Tests the services that change states and parameters: reset, save and load, enable, reload.
+// Tests the services that change states and parameters: reset, save, load, enable and reload.
 #include <rubber_suspension/EnableComponent.h>
 #include <rubber_suspension/ResetComponent.h>
 #include <std_srvs/SetBool.h>
@@ -116,7 +116,7 @@ TEST_F(State, DisabledDropsAndKeepsItsState) {
   enable("/simulate/set_enabled", true);
   const std::vector<double> after = forces(110, 150);
   EXPECT_EQ(bench_.forces.size(), answered + 40);
-  // The state is as if the samples sent while disabled had not been sent.
+  // Samples sent while the component is disabled have no effect on its state.
   resetComponent("right_secondary");
   forces(0, 100);
   EXPECT_EQ(forces(110, 150), after);
@@ -151,7 +151,7 @@ TEST_F(Reload, ChangedStartsAsNew) {
   ros::param::set("/simulate/components/right_secondary/specification/static_stiffness", 2.5e6);
   const auto answer = trigger("/simulate/reload");
   EXPECT_TRUE(answer.success) << answer.message;
-  // The component is at rest at 2 mm with the new static stiffness.
+  // The component is at rest at 2 mm, with the new static stiffness.
   EXPECT_NEAR(bench_.ask(kStart + 100 * kMillisecond, 0.002).force, 5000.0, 1e-6);
 }
 
@@ -160,7 +160,7 @@ TEST_F(Reload, BadIsRefusedWholeAndTheOldModelGoesOn) {
   const std::vector<double> expected = forces(100, 200);
   trigger("/simulate/reset");
   forces(0, 100);
-  // The left parameters are valid, the right ones are not: neither component may change.
+  // The parameters on the left are valid, those on the right are not, so neither component may change.
   ros::param::set("/simulate/components/left_secondary/specification/static_stiffness", 2.5e6);
   ros::param::set("/simulate/components/right_secondary/specification/static_stiffness", -1.0);
   const auto answer = trigger("/simulate/reload");

@@ -1,4 +1,4 @@
-// Tests the temperature topic: the node applies temperatures by their stamps, to the last bit as `replay` does.
+// Tests the temperature topic: the node applies temperatures by their stamps, equal to `replay` to the last bit.
 #include <sensor_msgs/Temperature.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace rubber_suspension {
 namespace {
 
-// 20 s of motion at 50 Hz; every tenth sample has a measured temperature.
+// Returns 20 s of motion at 50 Hz with a measured temperature in every tenth sample.
 log::Log warmingLog() {
   log::Log log;
   log.name = "warming";
@@ -42,7 +42,7 @@ TEST(TemperatureTopic, FollowsTheStampsAsReplayDoes) {
   for (std::size_t i = 0; i < log.size(); i += 10) {
     send(log.stamp[i], log.temperature[i]);
   }
-  // Messages of one connection arrive in order: once these are refused, all earlier temperatures have arrived.
+  // Messages of one connection arrive in order. Once these two are refused, all earlier temperatures have arrived.
   send(log.stamp.back(), std::nan(""));
   send(log.stamp.back(), -250.0);
   ASSERT_TRUE(diagnostics.waitForCount("bush", "temperatures, refused", 2));
@@ -59,7 +59,7 @@ TEST(TemperatureTopic, FollowsTheStampsAsReplayDoes) {
   EXPECT_TRUE(spinUntil([&] { return diagnostics.value("bush", "temperature [degC]") == "44.7"; }));
 }
 
-// The log has more changes of temperature than the node stores in advance.
+// The log has more changes of temperature than the node can store in advance.
 TEST(TemperatureTopic, APlayedLogHasTheForcesOfItsReplay) {
   log::Log log;
   log.name = "long";

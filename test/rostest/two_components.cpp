@@ -1,4 +1,4 @@
-// Two components in one node do not affect each other; parameters give the same forces as the file.
+// Two components in a node do not affect each other. Parameters on the server give the same forces as a file.
 #include <cmath>
 
 #include "bench.h"

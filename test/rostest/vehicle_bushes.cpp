@@ -1,5 +1,5 @@
-// A body on four bushes of six directions, stepped against the running node over the topics `poses` and `wrenches`, has
-// the wrenches of the library to the last bit.
+// A body on four bushes is stepped with the running node over the topics `poses` and `wrenches`. Its wrenches equal
+// those of the library to the last bit.
 #include <cmath>
 
 #include "apps/topic_exchange.h"

@@ -1,5 +1,5 @@
-// A vehicle on a generated track, stepped against the running node over the bundled topics, has the forces of the
-// library to the last bit; they differ from those without delay only by the effect of the delay.
+// A vehicle on a generated track is stepped with the running node over the bundled topics. Its forces equal those of
+// the library to the last bit, and differ from forces without delay only by the effect of the delay.
 #include <cstdlib>
 #include <map>
 
@@ -17,7 +17,7 @@ Bushes loadedComponents(const std::vector<element::ElementDescription>& further 
 
 class VehicleLoop : public testing::TestWithParam<int> {
  protected:
-  // Three seconds of a track that scripts/generate_track generates from its spectrum.
+  // Returns three seconds of a track that scripts/generate_track generates from its spectrum.
   static Scene generated() {
     const std::string path = testing::TempDir() + "vehicle_loop_track.csv";
     const std::string command = TEST_DIR "/../scripts/generate_track --track --duration 3 --output " + path;
@@ -62,9 +62,9 @@ TEST_P(VehicleLoop, GivesTheForcesOfTheLibraryToTheLastBit) {
   }
 }
 
-// A force that is `delay` steps old and held over a step lags by delay + 1/2 steps on average. A run without the loop,
-// whose components have this lag, explains all but a fiftieth of the difference; the effect of holding is of the next
-// order in the step.
+// A force that is `delay` steps old and held for a step lags by delay + 1/2 steps on average. A run without the loop,
+// whose components have this lag, explains all but a fiftieth of the difference. Holding the force has an effect of
+// higher order.
 TEST_P(VehicleLoop, DiffersFromARunWithoutDelayByWhatTheDelayExplains) {
   const double delay = loopDelay(1e-9 * kStep, GetParam());
   const Bushes components = loadedComponents();

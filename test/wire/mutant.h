@@ -1,5 +1,5 @@
-// A fault in the node that the driver of this folder has to detect. A test program includes this file first, so that it
-// replaces the node's publishers.
+// A fault in the node that the driver in this folder must detect. A test program includes this file first, so that it
+// replaces the publishers of the node.
 #pragma once
 
 #include <rubber_suspension/Force.h>
@@ -16,8 +16,8 @@
 
 namespace rubber_suspension::ros_interface {
 
-/// Applies the fault in the environment variable MUTANT to one force in 100,000: `twice`, `none`, `ulp` or `count`;
-/// `leak` leaks 16 bytes with every force.
+/// Applies the fault named by the environment variable MUTANT to one force in 100,000: `twice`, `none`, `ulp` or
+/// `count`. The fault `leak` leaks 16 bytes with every force.
 class MutantPublisher : public AnswerPublisher {
  public:
   template <class Message>
@@ -33,7 +33,7 @@ class MutantPublisher : public AnswerPublisher {
   std::uint64_t undelivered() const { return AnswerPublisher::undelivered() + miscounted_; }
 
  private:
-  // Returns false if the force is not to be published.
+  // Returns false if the force must not be published.
   bool mutate(const boost::shared_ptr<Force>& message) {
     constexpr std::uint64_t kPeriod = 100000;
     static const std::string fault = std::getenv("MUTANT") == nullptr ? "" : std::getenv("MUTANT");
