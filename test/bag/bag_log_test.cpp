@@ -1,4 +1,4 @@
-// Logs in bags: written and read back bit by bit, without force, with several components, damaged and misleading files.
+// Logs in bags: written and read back bit by bit, without force, with several components, damaged, or misleading.
 #include "bag/bag_log.h"
 
 #include <geometry_msgs/PoseStamped.h>
@@ -50,12 +50,12 @@ TEST_F(BagLog, ReadsBackBitByBit) {
   EXPECT_EQ(bag::readAnyLog(path("a.bag")).displacement, log().displacement);
 }
 
-// On a full disk, closing the bag fails again in the destructor, which must not throw.
+// On a full disk, closing the bag fails once more in the destructor, which must not throw.
 TEST_F(BagLog, AFullDiskIsAnErrorAndLeavesNothing) {
   EXPECT_THROW(bag::writeBagLog("/dev/full", "bush", log()), log::LogError);
 }
 
-// The error of a bag that is cut off names the command that recovers its complete part.
+// The error about a truncated bag names the command that recovers its complete part.
 TEST_F(BagLog, ABagThatIsCutSaysWhereAndWhatSavesIt) {
   const std::string file = path("a.bag");
   bag::writeBagLog(file, "bush", log());
@@ -74,7 +74,7 @@ TEST_F(BagLog, TemperatureHoldsUntilTheNext) {
   EXPECT_TRUE(read.notes.empty());
 }
 
-// Temperatures that the node would refuse are omitted; samples before the first one use it, with a note.
+// Temperatures that the node would refuse are omitted. Samples before the first temperature use it, with a note.
 TEST_F(BagLog, TemperatureOfItsOwnStamps) {
   const std::string file = path("a.bag");
   {
@@ -154,7 +154,7 @@ TEST_F(BagLog, ASlowForceIsComparedWhereItIs) {
   }
 }
 
-// Forces have stamps of their own, at another rate and 100 ppm fast; a straight line is interpolated exactly.
+// The forces have another rate, and a clock that is 100 ppm fast. Interpolation is exact for a straight line.
 TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
   constexpr int kSamples = 200;
   constexpr std::int64_t kInterval = 1000000;
@@ -163,7 +163,7 @@ TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
   for (std::int64_t i = 0; i < kSamples; ++i) {
     writer.writeDisplacement((i + 1) * kInterval, 1e-3);
     const std::int64_t stamp = 700003 + i * 800080;
-    if (i < 100 || i > 103) {  // without these, the forces are too far apart to interpolate
+    if (i < 100 || i > 103) {  // the gap is too long to interpolate
       writer.writeMeasuredForce(stamp, line(stamp));
     }
   }
@@ -176,7 +176,7 @@ TEST_F(BagLog, InterpolatesForcesOfADriftingClock) {
     const bool beyond = read.stamp[i] > 700003 + 199 * 800080;
     ASSERT_EQ(read.counts[i], between || beyond ? 0.0 : 1.0) << i;
     if (read.counts[i] > 0.0) {
-      EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // some roundings
+      EXPECT_NEAR(read.force[i], line(read.stamp[i]), 1e-12 * line(read.stamp[i]));  // rounding errors
     }
   }
 }
@@ -188,7 +188,7 @@ TEST_F(BagLog, AWriterThatIsNotClosedLeavesAnOlderBag) {
     writer.writeDisplacement(1000000, 1.0);
   }
   EXPECT_EQ(bag::readBagLog(path("a.bag")).displacement, log().displacement);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.folder()), {}), 2);  // with the file `keep`
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.folder()), {}), 2);  // this file and `keep`
 }
 
 TEST_F(BagLog, IsToldByItsContent) {
@@ -220,7 +220,7 @@ TEST_F(BagLog, RefusesStampsThatDoNotIncrease) {
   writer.writeDisplacement(1000, 0.0);
   writer.writeDisplacement(3000, 0.0);
   writer.close();
-  // A bag is read in the order of recording, which here equals that of the stamps, so only equal stamps are refused.
+  // A bag is read in the order of recording. Here this is also the order of stamps, so only equal stamps are refused.
   EXPECT_EQ(bag::readBagLog(path("a.bag")).size(), 3U);
   bag::BagWriter twice(path("b.bag"), "bush");
   twice.writeDisplacement(1000, 0.0);
@@ -229,7 +229,7 @@ TEST_F(BagLog, RefusesStampsThatDoNotIncrease) {
   EXPECT_THAT(refusal(path("b.bag")), HasSubstr("message 2 on /bush/displacement"));
 }
 
-// A bag with messages of these stamps, which are received in this order, 1 ms apart.
+// Writes a bag with messages of these stamps, received in this order, 1 ms apart.
 class BagStamps : public BagLog {
  protected:
   std::string write(const std::vector<double>& stamps) const {
@@ -272,7 +272,7 @@ TEST_F(BagStamps, OfOneMessageWithoutLeaveItOut) {
   EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("1 of 4 messages have the stamp 0: left out")));
 }
 
-// The bag contains two runs, which must not be mixed.
+// The bag contains two runs, whose samples must not be mixed.
 TEST_F(BagStamps, ThatBeginAnewAreRefused) {
   EXPECT_THAT(refusal(write({10.0, 11.0, 12.0, 10.5, 11.5})), HasSubstr("message 4 on /bush/displacement"));
 }
@@ -294,7 +294,7 @@ TEST_F(BagLog, RefusesWhatIsNoBag) {
   EXPECT_THAT(refusal(path("empty.bag")), HasSubstr(path("empty.bag")));
 }
 
-// A bag that is cut off, or has a changed byte in what rosbag relies on, is read or refused without a crash.
+// A truncated bag, or a changed byte in the part that rosbag relies on, does not lead to a crash.
 TEST_F(BagLog, SurvivesDamage) {
   bag::writeBagLog(path("a.bag"), "bush", log());
   const std::string whole = contentOf(path("a.bag"));
@@ -308,7 +308,7 @@ TEST_F(BagLog, SurvivesDamage) {
   for (std::size_t size = 0; size < whole.size(); size += 197) {
     attempt(whole.substr(0, size));
   }
-  const std::size_t index = whole.find("op=\x04");  // after the only chunk
+  const std::size_t index = whole.find("op=\x04");  // behind the only chunk
   ASSERT_NE(index, std::string::npos);
   for (const char mask : {'\x01', '\x55', '\x80'}) {
     for (std::size_t place = 0; place < whole.size(); place += place < index - 100 ? 211 : 1) {
@@ -319,7 +319,7 @@ TEST_F(BagLog, SurvivesDamage) {
   }
 }
 
-// A bag with five poses, a wrench for all but the first, and quaternions of the given length.
+// A bag with five poses, a wrench for each but the first, and quaternions of a given length.
 class BagPoses : public BagLog {
  protected:
   static Eigen::Quaterniond rotationOf(int sample) {
@@ -358,7 +358,7 @@ class BagPoses : public BagLog {
 
 TEST_F(BagPoses, HaveTheWrenchesOfTheirStamps) {
   const log::PoseLog log = bag::readBagPoses(write(), "bush", component::RotationMeasure::vector);
-  EXPECT_THAT(log.counts, testing::ElementsAre(0.0, 1.0, 1.0, 1.0, 1.0));  // the first has no wrench
+  EXPECT_THAT(log.counts, testing::ElementsAre(0.0, 1.0, 1.0, 1.0, 1.0));  // the first pose has no wrench
   EXPECT_EQ(log.name, "poses");
   EXPECT_EQ(log.stamp[1], 1004000000);
   EXPECT_EQ(log.coordinate[0][3], 3e-3);
@@ -370,7 +370,7 @@ TEST_F(BagPoses, HaveTheWrenchesOfTheirStamps) {
   EXPECT_THAT(log.notes, testing::ElementsAre(HasSubstr("4 of 5 samples have a force")));
 }
 
-// The node does not normalise quaternions, nor does the simulation of a bag.
+// Neither the node nor the simulation of a bag normalises quaternions.
 TEST_F(BagPoses, AreSimulatedAsTheNodeDoesToTheLastBit) {
   component::SixDirectionsLaws laws;
   for (auto& elements : laws.elements) {

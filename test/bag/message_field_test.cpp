@@ -1,4 +1,4 @@
-// Numbers in messages of other packages are named by paths as in rosbag and PlotJuggler.
+// Numbers in messages of other packages have paths as names, as in rosbag and PlotJuggler.
 #include "bag/message_field.h"
 
 #include <geometry_msgs/WrenchStamped.h>
@@ -14,7 +14,7 @@
 
 namespace rubber_suspension {
 
-// The bytes of a message, with any definition.
+// A message as bytes, with any definition.
 struct RawMessage {
   std::string definition;
   std::vector<std::uint8_t> bytes;
@@ -67,7 +67,7 @@ constexpr int kMessages = 50;
 double displacementAt(int i) { return 1e-3 * std::sin(0.2 * i); }
 ros::Time stampAt(int i) { return ros::Time(100, 0) + ros::Duration(0.01 * i); }
 
-// A bag of another package: a force sensor, joints (the second is the displacement), a load cell without stamps.
+// Writes a bag of another package: forces, joints (the second is the displacement), a load cell without stamps.
 void writeForeignBag(const std::string& path) {
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   for (int i = 0; i < kMessages; ++i) {
@@ -141,7 +141,7 @@ TEST_F(MessageField, IsRefusedByNameWhereItIsNotThere) {
   EXPECT_THAT(refusal({"displacement=/joint_states/name[0]"}), HasSubstr("a field of type string"));
 }
 
-// Reads the field `data` of two messages whose bytes are a count, which no element follows, and the number 3.
+// Reads the field `data` of two messages. Their bytes are a count without any elements behind it, and the number 3.
 log::Log readWithDefinition(const std::string& definition, std::uint32_t count) {
   const TemporaryFile file("odd.bag", "");
   constexpr double kNumber = 3.0;

@@ -1,4 +1,4 @@
-// The plain loop. It repeats the laws of src/element on purpose: the column of errors compares the two.
+// The handwritten loop. It repeats the laws of src/element, so that the errors in the table are an independent check.
 #include "benchmark/bare_loop.h"
 
 #include <map>
@@ -26,7 +26,7 @@ void run(const ExampleParameters& parameters, const std::vector<double>& step, c
   }
 }
 
-// By the number of Maxwell elements: the loop for one step, and that for different steps.
+// The loops for a constant time step and for varying steps, by number of Maxwell elements.
 const std::map<std::size_t, std::array<Loop, 2>> kLoops = {{1, {run<1, false>, run<1, true>}},
                                                            {5, {run<5, false>, run<5, true>}},
                                                            {10, {run<10, false>, run<10, true>}},

@@ -1,4 +1,4 @@
-// The baseline for the library: spring, Maxwell elements and Berg friction as a plain scalar loop, written by hand.
+// The baseline for the library: spring, Maxwell elements and Berg friction as a handwritten scalar loop.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace rubber_suspension::benchmark {
 
-/// State of friction between steps: displacement and force of the last sample, reference point, direction of motion.
+/// State of friction between steps: the last sample, the reference point and the direction of motion.
 struct BareFriction {
   double last_displacement = 0.0;
   double reference_displacement = 0.0;
@@ -18,7 +18,7 @@ struct BareFriction {
   double reference_force = 0.0;
   double direction = 0.0;
 
-  /// Advances to a displacement [m] by Berg's two branches as printed; returns the force [N].
+  /// Advances to a displacement [m] along one of Berg's two branches, and returns the force [N].
   inline double advance(double displacement, double maximum_force, double half_displacement) {
     if ((displacement - last_displacement) * direction < 0.0) {
       reference_displacement = last_displacement;
@@ -41,13 +41,12 @@ struct BareFriction {
   }
 };
 
-/// Computes the force [N] at every sample, from rest at the first one. A single step [s] applies throughout; of
-/// several, step[i] ends at sample i.
+/// Computes the force [N] at every sample, from rest at the first sample. A single `step` [s] applies to all samples.
+/// Of several, step[i] ends at sample i.
 void bareLoop(const ExampleParameters& parameters, const std::vector<double>& step,
               const std::vector<double>& displacement, std::vector<double>& force);
 
-/// Stiffnesses and relaxation times of n Maxwell elements; with n known to the compiler, the loop is as fast as a plain
-/// one can be.
+/// Stiffnesses and relaxation times of n Maxwell elements. The compiler knows n, so the loop is as fast as possible.
 template <int n>
 struct BareMaxwells {
   std::array<double, n> stiffness;        ///< [N/m]
@@ -61,7 +60,7 @@ struct BareMaxwells {
   }
 };
 
-/// A component in motion; tick() moves it to a displacement [m] and returns its force [N].
+/// A component with its state. tick() moves it to a displacement [m] and returns its force [N].
 template <int n>
 class BareComponent {
  public:
@@ -72,7 +71,7 @@ class BareComponent {
         friction_displacement_(parameters.friction_displacement),
         friction_{displacement, displacement} {}
 
-  /// Sets the length of the steps [s]: F' = decay F + gain (z' - z).
+  /// Sets the time step dt [s]. An element then steps by F' = decay F + gain (z' - z).
   void setStep(const BareMaxwells<n>& maxwells, double dt) {
     for (int i = 0; i < n; ++i) {
       const double ratio = dt / maxwells.relaxation_time[i];

@@ -1,4 +1,4 @@
-// The cost of saving a state of one instant: bundles under the lock of all components, and a save against bundles.
+// The time to save a consistent state: bundles with a lock on all components, and saves compared with bundles.
 #include <fmt/format.h>
 
 #include "benchmark/cases.h"
@@ -23,7 +23,7 @@ struct BundleBench {
         stamps(stampsOf(Stamps::even, displacement.size())),
         library(displacement.size() * components),
         bare(library.size()) {
-    constexpr double kMaxGap = 0.5;  // [s], as in the node
+    constexpr double kMaxGap = 0.5;  // [s], the value of the node
     std::vector<node::ComponentChannel*> pointers;
     for (std::size_t i = 0; i < components; ++i) {
       const io::ComponentDescription description{fmt::format("component_{:03d}", i), ExampleParameters().elements()};
@@ -89,8 +89,8 @@ Case saveCase(std::size_t components, std::size_t samples) {
 }  // namespace
 
 std::vector<Case> bundleCases(const BenchmarkSize& size) {
-  // Locking and unlocking takes two atomic operations, some 10 ns without contention, and a sample takes 20 ns: twice
-  // the time would mean another kind of lock. With fifty components only effects of the code's layout remain.
+  // A lock takes two atomic operations, some 10 ns without contention, and a sample takes 20 ns. A ratio of two would
+  // mean another kind of lock. With fifty components, only effects of the memory layout of the code remain.
   constexpr double kMostOfOne = 2.0;
   constexpr double kMostOfFifty = 1.1;
   return {lockCase(1, size.samples, kMostOfOne), lockCase(50, size.samples, kMostOfFifty), saveCase(50, size.samples)};

@@ -1,4 +1,4 @@
-// Cases of the benchmark: the parts of the table, and single pieces of work.
+// The cases of the benchmark, in the order of its table.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct BenchmarkSize {
   int components = 1000;         ///< at each tick
 };
 
-// The parts of the table; their files describe what they measure.
+// Each returns the cases of a part of the table. The file of the function describes what the part measures.
 std::vector<Case> forceCases(const BenchmarkSize& size);
 std::vector<Case> sixDirectionCases(const BenchmarkSize& size);
 std::vector<Case> bundleCases(const BenchmarkSize& size);

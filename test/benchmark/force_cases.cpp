@@ -1,4 +1,4 @@
-// One component on a motion, sample by sample and as a log, and many at each tick, against the plain loop.
+// One component, sample by sample and as a log, and many components at each tick, compared with the handwritten loop.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace {
 
 constexpr int kElements = 5;
 
-// Both sides of a row, with their forces at the samples of the log.
+// The library and the loop of a row in the table, with their forces at the samples of the log.
 struct Bench {
   ExampleParameters parameters;
   ExampleRun run;
-  std::vector<double> bare_steps;  // a single one if it is constant
+  std::vector<double> bare_steps;  // a single value if the step is constant
   std::vector<double> bare;
   std::vector<double>& library = run.force;
 
@@ -68,7 +68,7 @@ struct ManyBench {
     }
   }
 
-  // Each run repeats the signal; the displacement jumps at its start, for both sides alike.
+  // Each run repeats the signal, so the displacement jumps at the start of a run, for the library and the loop alike.
   void stepAll() {
     for (const double z : displacement) {
       for (std::size_t i = 0; i < components.size(); ++i) {

@@ -1,5 +1,5 @@
-// The program `benchmark_pairs`: the time of the library against plain loops written by hand, and of some of its parts
-// against others, with the error of the results.
+// The program `benchmark_pairs` compares the time of the library with handwritten loops, and of some of its functions
+// with others. It also states the error of the results.
 #include <fmt/format.h>
 
 #include "benchmark/cases.h"

@@ -1,4 +1,4 @@
-// Measures pairs of runs and their medians, and makes a table and a figure.
+// Measures pairs of runs, computes medians, and makes a table and a figure.
 #include "benchmark/measurement.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ Result measure(const Case& work, int pairs) {
     ratio.push_back(library.back() / bare.back());
   }
   Result result{work.name, work.baseline, "", spreadOf(ratio), error <= work.tolerance, false};  // false for NaN
-  constexpr int kFewest = 15;  // pairs; fewer only check that the case runs
+  constexpr int kFewest = 15;  // pairs; with fewer, the benchmark only checks that the case runs
   result.slow = pairs >= kFewest && result.ratio.lower > work.most;
   result.row = fmt::format("| {} | {} | **{}** ({} to {}) | {} per {} | {} | {:.1e} {} |\n", work.name, work.baseline,
                            readableRatio(result.ratio.median), readableRatio(result.ratio.lower),
@@ -61,7 +61,7 @@ io::Figure ratioFigure(const std::vector<Result>& results) {
   io::Axes axes{"", "time of the library / time of the other [-]", "", true};
   std::vector<io::Spread> ratios;
   for (const Result& result : results) {
-    // The table marks code with backticks, which a figure cannot render.
+    // The table marks code with backticks, which a figure cannot draw.
     axes.rows.push_back(boost::erase_all_copy(result.name + "\nagainst " + result.baseline, "`"));
     ratios.push_back(result.ratio);
   }

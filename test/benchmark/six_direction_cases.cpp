@@ -1,4 +1,4 @@
-// Components of six directions against six components of one direction with the same elements and coordinates.
+// Components of six directions, compared with six components of one direction with the same elements and coordinates.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using component::kDirections;
 
-// Components of six directions, and six times as many of one direction, on one path.
+// Components of six directions, and six times as many components of one direction, on the same path.
 struct SixDirectionBench {
   using Forces = std::vector<std::array<element::ComponentForce, kDirections>>;
 
@@ -27,7 +27,7 @@ struct SixDirectionBench {
   std::vector<component::ComponentState> single_states;
   Forces expected;
   Forces found;
-  double tangents = 0.0;  // sum over the poses
+  double tangents = 0.0;  // sum of the stiffnesses over the poses
   double expected_tangents = 0.0;
 
   SixDirectionBench(std::size_t samples, std::size_t count, component::Coupling coupling)
@@ -69,7 +69,7 @@ struct SixDirectionBench {
     }
   }
 
-  // Tangents about each pose, from rest. Both sides sum the translational stiffnesses, whose axes do not rotate.
+  // Computes tangents about each pose, from rest. Both sides sum translational stiffnesses, whose axes do not rotate.
   void tangentOfSix() {
     component::SixDirectionsState trial = states[0];
     tangents = 0.0;
@@ -91,7 +91,7 @@ struct SixDirectionBench {
     }
   }
 
-  // Returns the largest error of a direction, relative to its largest force. It is due to the rounding of poses.
+  // Returns the largest error of a direction, relative to its largest force. The error is due to the rounding of poses.
   double error() const {
     double worst = 0.0;
     for (std::size_t k = 0; k < kDirections; ++k) {
@@ -106,7 +106,7 @@ struct SixDirectionBench {
     return worst;
   }
 
-  // Coupled friction of two directions differs from that of single ones, so this only checks that the force is finite.
+  // Friction that couples two directions differs from friction of single ones, so the force must only be finite.
   double finite() const { return std::isfinite(found.back()[0].total) ? 0.0 : 1.0; }
 
   double count() const { return static_cast<double>(poses.size() * bushes.size()); }

@@ -1,4 +1,4 @@
-// A folder for a campaign, which tests fill with small inputs.
+// A campaign folder that tests fill with small inputs.
 #pragma once
 
 #include "campaign/make.h"
@@ -17,7 +17,7 @@ class CampaignFolder : public ScratchFolder {
                                    static_stiffness, 1.3 * static_stiffness));
   }
 
-  /// Writes a log of 1 s of a sine; `variant` changes its content.
+  /// Writes a log with 1 s of a sine. `variant` changes its content.
   std::string writeLog(const std::string& name, int variant = 0, bool with_force = true) const {
     std::string text = with_force ? "time_s,displacement_m,force_N\n" : "time_s,displacement_m\n";
     for (int i = 0; i < 200; ++i) {

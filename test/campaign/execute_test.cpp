@@ -1,4 +1,4 @@
-// A job has the results of the command that it represents, to the last byte.
+// A job gives the same results as the command that it represents, to the last byte.
 #include "campaign/execute.h"
 
 #include "campaign/campaign_folder.h"
@@ -26,7 +26,7 @@ class ExecuteJob : public ::testing::Test {
     }
   }
 
-  // Returns the record of the only job of a jobs file.
+  // Returns the record of the single job of a jobs file.
   campaign::Record execute(const std::string& command) {
     folder_.write("jobs.yaml", "jobs:\n  one:\n    command: " + command + "\n    config: c.yaml\n    log: log_*.csv\n");
     const campaign::Manifest manifest =
@@ -36,7 +36,7 @@ class ExecuteJob : public ::testing::Test {
         campaign::findRecord(folder_.path("out"), manifest.jobs[0].id, "1.0", campaign::FileCheck::digests);
     EXPECT_EQ(found.problem, "");
     EXPECT_EQ(found.record.value().values.dump(),
-              record.values.dump());  // a number that is not finite is written as null
+              record.values.dump());  // numbers that are not finite are null
     EXPECT_EQ(found.record.value().findings.changes, record.findings.changes);
     report_ = "out/" + campaign::reportFolder(manifest.jobs[0].id) + "/";
     return record;

@@ -1,4 +1,4 @@
-// Shares, medians and outliers, tested with fleets of known truth and with published tables.
+// Shares, medians and outliers of fleets with known truth, and compared with published tables.
 #include "campaign/fleet.h"
 
 #include <nlohmann/json.hpp>
@@ -66,8 +66,8 @@ TEST(Distributions, HaveQuartilesBetweenTheirValues) {
   EXPECT_EQ(campaign::distributionOf({7.0}).dump(), R"({"components":1,"median":7.0,"quartiles":[7.0,7.0]})");
 }
 
-// Ranks of the sign test from published tables: none for 5 values, the 2nd and 9th of 10 (97.9 %), the 6th and 15th of
-// 20 (95.9 %), the 8th and 18th of 25 (95.7 %).
+// Published tables of the sign test give these ranks: the 2nd and 9th of 10 values (97.9 %), the 6th and 15th of 20
+// (95.9 %), the 8th and 18th of 25 (95.7 %), and no interval for 5 values.
 TEST(Distributions, TheIntervalOfTheMedianHasTheRanksOfTables) {
   const auto interval = [](int count) {
     std::vector<double> values(static_cast<std::size_t>(count));
@@ -83,7 +83,7 @@ TEST(Distributions, TheIntervalOfTheMedianHasTheRanksOfTables) {
   EXPECT_EQ(interval(25), (Ends{8.0, 18.0}));
 }
 
-// In 400 fleets of 20, an interval of 95.9 % misses 16 times with a deviation of 4; the limit is four deviations above.
+// In 400 fleets of 20, an interval of 95.9 % misses 16 times, with a standard deviation of 4. The limit is 16 + 4 * 4.
 TEST(Distributions, TheIntervalOfTheMedianCoversWhatItSays) {
   std::mt19937 generator(1);
   std::normal_distribution<double> normal(0.05, 0.04);
@@ -110,7 +110,7 @@ TEST(FleetAnalysis, SharesHaveIntervalsAndComeByFrequency) {
   EXPECT_EQ(effects[0].at("name"), "friction");
   EXPECT_EQ(effects[0].at("components"), 4U);
   EXPECT_DOUBLE_EQ(effects[0].at("share"), 0.4);
-  // Jeffreys' interval of 4 of 10: quantiles of a Beta(4.5, 6.5) distribution, by numerical integration.
+  // Jeffreys' interval for 4 of 10 has quantiles of a Beta(4.5, 6.5) distribution, from numerical integration.
   EXPECT_NEAR(effects[0].at("interval_95")[0].get<double>(), 0.153, 0.001);
   EXPECT_NEAR(effects[0].at("interval_95")[1].get<double>(), 0.696, 0.001);
   EXPECT_EQ(effects[1].at("name"), "creep");
@@ -129,7 +129,7 @@ TEST(FleetAnalysis, EstimatesHaveNoVerdict) {
 
 TEST(FleetAnalysis, TellsWrongValuesOfTheTypeFromScatterBetweenTestPieces) {
   const Json common = analyse(scatteringFleet(-0.1, 0.03)).at("parameters").at(0);
-  // The median of thirty has a standard error of 1.25 times 0.03/sqrt(30), a quartile 1.36 times 0.03/sqrt(30).
+  // The standard error of the median of 30 values is 1.25 times 0.03/sqrt(30), and 1.36 times for a quartile.
   EXPECT_NEAR(common.at("median").get<double>(), -0.1, 4.0 * 1.25 * 0.03 / std::sqrt(30.0));
   EXPECT_LT(common.at("median_interval_95")[1].get<double>(), 0.0);
   EXPECT_NEAR(common.at("quartiles")[1].get<double>(), -0.1 + 0.6745 * 0.03, 4.0 * 1.36 * 0.03 / std::sqrt(30.0));
@@ -145,8 +145,8 @@ TEST(FleetAnalysis, FindsTheComponentsThatAreFarOut) {
   EXPECT_THAT(farOut(analyse(records)), ::testing::ElementsAre("truck_4 bush", "truck_9 bush"));
 }
 
-// Six standard deviations never occur by chance, but the quartiles of small fleets scatter: in 8000 other draws, 4.0 %
-// of fleets of six, 0.4 % of twenty and none of a hundred have an outlier. The limits are four deviations above.
+// The limit of six standard deviations uses quartiles, which scatter in small fleets. In 8000 other draws, 4.0 % of
+// fleets of 6 had an outlier, 0.4 % of fleets of 20, and none of 100. The limits are four deviations above.
 TEST(FleetAnalysis, RarelyTakesChanceForAComponentThatIsFarOut) {
   std::mt19937 generator(3);
   std::normal_distribution<double> normal(0.05, 0.04);
@@ -199,7 +199,7 @@ TEST(FleetAnalysis, TypesAreComparedEachAlone) {
   EXPECT_THAT(fleet.analyse().at("types"), SizeIs(2));
 }
 
-// Three types of different stiffness, twelve components each; the rig adds `taken` to the change of a stiffness.
+// Returns three types with different stiffness, twelve components each. The rig adds `taken` to a change of stiffness.
 campaign::Fleet fleetOnRig(const std::function<double(double)>& taken, const std::vector<std::string>& rigs) {
   std::mt19937 generator(8);
   std::normal_distribution<double> normal;
@@ -235,9 +235,9 @@ double medianOn(const Json& findings, const std::string& rig, const std::string&
 
 TEST(FleetAnalysis, MediansByRigShowOneThatGivesWay) {
   const Json findings = fleetOnRig(softly, {"hexapod"}).analyse();
-  EXPECT_THAT(findings.at("rigs"), SizeIs(6));  // three types with two stiffnesses each
+  EXPECT_THAT(findings.at("rigs"), SizeIs(6));  // three types, each with two stiffnesses
   for (const double stiffness : {1e6, 2.2e6, 5e6}) {
-    // The median of twelve has a standard error of 1.25 times 0.03/sqrt(12); the limit is three of these.
+    // The standard error of the median of 12 is 1.25 times 0.03/sqrt(12). The limit is three standard errors.
     EXPECT_NEAR(medianOn(findings, "hexapod", fmt::format("type of {:g}", stiffness)), softly(stiffness), 0.033);
   }
 }

@@ -1,4 +1,4 @@
-// The jobs file: it is read, or all its errors are reported at once, with line, key, value and what is accepted.
+// A jobs file is read, or all its errors are reported at once, each with line, key, value and accepted values.
 #include "campaign/jobs_file.h"
 
 #include "support/test.h"

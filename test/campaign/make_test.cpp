@@ -1,4 +1,4 @@
-// From a jobs file to a manifest: expanded patterns and tolerances, ids, and refusals before anything is written.
+// From a jobs file to a manifest: patterns and tolerances are expanded, and errors are refused before writing.
 #include "campaign/make.h"
 
 #include "campaign/campaign_folder.h"
@@ -23,7 +23,7 @@ class MakeCampaign : public ::testing::Test {
     return problems_;
   }
 
-  // Writes two folders with a component and two logs each.
+  // Writes two folders, each with a component and two logs.
   void writeFleet() {
     for (const std::string truck : {"truck_1", "truck_2"}) {
       folder_.writeComponent("fleet/" + truck + "/component.yaml");
@@ -60,7 +60,7 @@ TEST_F(MakeCampaign, AJobForEachFolder) {
   EXPECT_EQ(manifest.inputs[manifest.jobs[1].logs[1]].path, folder_.path("fleet/truck_2/log_2.csv"));
 }
 
-// A campaign in the folder of its inputs does not mistake its own folders for test pieces.
+// In the folder of its inputs, a campaign does not mistake its own output folders for test pieces.
 TEST_F(MakeCampaign, IsTheSameWhereItIsMadeAgainAmongItsInputs) {
   writeFleet();
   const std::string path = folder_.write("jobs.yaml", kFleet);
@@ -186,7 +186,7 @@ TEST_F(ToleranceStudy, DrawsWithinTheTolerances) {
     sum += frequency;
     squares += frequency * frequency;
   }
-  // The mean of 200 draws has an error of 0.1/sqrt(200), the deviation 0.1/sqrt(400); the limits are four errors.
+  // The mean of 200 draws has an error of 0.1/sqrt(200), the deviation 0.1/sqrt(400). The limits are four errors.
   EXPECT_NEAR(sum / 200.0, 0.0, 4.0 * 0.1 / std::sqrt(200.0));
   EXPECT_NEAR(std::sqrt(squares / 200.0), 0.1, 4.0 * 0.1 / std::sqrt(400.0));
 }
@@ -199,21 +199,20 @@ TEST_F(ToleranceStudy, MoreRunsBeginWithThoseOfFewer) {
   }
 }
 
-// For this seed, the C++ standard specifies the first number of the 64-bit Mersenne Twister (26.5.3.2,
-// [rand.eng.mers]).
+// The C++ standard specifies numbers of the 64-bit Mersenne Twister (26.5.3.2, [rand.eng.mers]) for this seed.
 TEST_F(ToleranceStudy, ADrawIsTheSameOnEveryMachine) {
   estimation::Specification nominal;
   nominal.set("static_stiffness", 100.0);
   campaign::MonteCarlo study;
   study.runs = 1;
-  study.seed = 5489;  // the default seed, whose first number is 14514284786278117030
+  study.seed = 5489;  // default seed; its first number is 14514284786278117030
   study.tolerances["static_stiffness"] = {campaign::Tolerance::Shape::uniform, 0.5, true};
   const double place = 2.0 * (14514284786278117030.0 / 18446744073709551616.0) - 1.0;
   EXPECT_NEAR(campaign::drawSpecifications(nominal, study)[0].at("static_stiffness"), 100.0 + 50.0 * place, 1e-12);
 }
 
 TEST_F(ToleranceStudy, DrawsWithoutSolutionAreToldOrLeftOut) {
-  // In half of the draws the dynamic stiffness is less than the static one.
+  // In half of the draws, the dynamic stiffness is smaller than the static stiffness.
   const std::string wide = "dynamic_stiffness: {uniform: 46 %}";
   const auto found = problems(study(40, wide));
   ASSERT_GT(found.size(), 1U);

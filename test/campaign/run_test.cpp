@@ -1,4 +1,4 @@
-// Running jobs: records, skipped and repeated jobs, crashes, shards, and tables of the same bytes.
+// Running jobs: records, skipped and repeated jobs, crashes, shards, and byte-identical tables.
 #include "campaign/run.h"
 
 #include <sys/resource.h>
@@ -30,7 +30,7 @@ class RunCampaign : public ::testing::Test {
     writeJobs(6);
   }
 
-  // Writes jobs with this number of draws, each with both logs.
+  // Writes a jobs file with this number of draws, each for both logs.
   void writeJobs(int draws) const {
     folder_.write(
         "jobs.yaml",
@@ -76,7 +76,7 @@ class RunCampaign : public ::testing::Test {
     }
   }
 
-  // Returns a reader that calls `before` in the worker process, and then reads the log.
+  // Returns a reader that calls `before` in the worker process and then reads the log.
   static campaign::LogReader readingAfter(const std::function<void(const std::string& path)>& before) {
     return [before](const std::string& path, const std::string& component, const log::LogFormat& format) {
       before(path);
@@ -126,7 +126,7 @@ TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
   };
   damage(0, record.substr(0, record.size() / 2));
   damage(1, replaced(contentOf(recordPath(manifest, 1)), "\"version\":\"1.0\"", "\"version\":\"0.9\""));
-  damage(2, record);  // the record of job 0
+  damage(2, record);  // the record of job 0 instead of job 2
   damage(3, "");
   const std::string report = folder_.path("out/" + campaign::reportFolder(manifest.jobs[4].id) + "/force.csv");
   std::filesystem::resize_file(report, 10);
@@ -141,7 +141,7 @@ TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
   EXPECT_THAT(statusOf(manifest).broken, IsEmpty());
 }
 
-// Any other content in place of a record is reported with its file, and does not end the program.
+// A record with any other content is reported with its file name, and does not end the program.
 TEST_F(RunCampaign, ARecordOfAnotherFormIsBroken) {
   const campaign::Manifest manifest = make();
   run();
@@ -181,7 +181,7 @@ TEST_F(RunCampaign, ADigitThatChangesIsToldAndDoneAgain) {
   EXPECT_THAT(said_, ElementsAre(HasSubstr("the job is run again")));
 }
 
-// A changed digit of a force does not change the size of the file.
+// A changed digit in a force does not change the size of the file.
 TEST_F(RunCampaign, AChangedDigitOfAReportIsToldAndDoneAgain) {
   const campaign::Manifest manifest = make();
   run();
@@ -223,11 +223,11 @@ TEST_F(RunCampaign, APipeOrFolderInPlaceOfARecordIsToldAndDoneAgain) {
   EXPECT_EQ(collect().done, 12U);
 }
 
-// A lack of disk space ends the run, and is not stored as a result.
+// A full disk ends the run. It is not stored as the result of a job.
 TEST_F(RunCampaign, ADiskWithoutRoomLeavesNoResult) {
   writeJobs(1);
   make();
-  for (const rlim_t most : {10, 400}) {  // limits the file of forces, or the record
+  for (const rlim_t most : {10, 400}) {  // size limits for the file of forces or the record
     const auto limited = readingAfter([most](const std::string&) {
       const rlimit limit{most, RLIM_INFINITY};
       setrlimit(RLIMIT_FSIZE, &limit);
@@ -256,7 +256,7 @@ TEST_F(RunCampaign, AJobWithoutMemoryIsTriedAgain) {
   EXPECT_EQ(run().done, 1U);
 }
 
-// A spreadsheet would evaluate a text that begins like a formula.
+// A spreadsheet would evaluate a text that looks like a formula.
 TEST_F(RunCampaign, ATableHasNoFormulas) {
   folder_.write("jobs.yaml", "jobs:\n  \"=cmd()\":\n    command: replay\n    config: c.yaml\n    log: log_1.csv\n");
   campaign::collect(make(), folder_.path("out"));
@@ -265,7 +265,7 @@ TEST_F(RunCampaign, ATableHasNoFormulas) {
 
 TEST_F(RunCampaign, AFailedJobIsARecordAndTheOthersGoOn) {
   const campaign::Manifest manifest = make();
-  folder_.writeLog("log_2.csv", 77);  // changed since the manifest was made
+  folder_.writeLog("log_2.csv", 77);  // changed after the manifest
   const campaign::RunSummary summary = run();
   EXPECT_EQ(summary.done, 6U);
   EXPECT_EQ(summary.failed, 6U);
@@ -291,7 +291,7 @@ TEST_F(RunCampaign, AJobThatCrashesTakesNoOtherWithIt) {
   options.workers = 2;
   const campaign::RunSummary summary = run(options, "out", readingAfter([](const std::string& path) {
                                              if (path.find("log_2") != std::string::npos) {
-                                               std::raise(SIGABRT);  // sanitizers would replace a SIGSEGV by an exit
+                                               std::raise(SIGABRT);  // sanitizers would turn SIGSEGV into an exit
                                              }
                                            }));
   EXPECT_EQ(summary.done, 6U);
@@ -301,9 +301,9 @@ TEST_F(RunCampaign, AJobThatCrashesTakesNoOtherWithIt) {
 
 class HangingJobs : public RunCampaign {
  protected:
-  static constexpr double kShort = 0.02;  // [min], 1.2 s: thirty times the duration of a job that ends
+  static constexpr double kShort = 0.02;  // 1.2 s, thirty times the duration of a job that ends [min]
 
-  // The reader of one log waits forever, as on a file system that hangs.
+  // The reader of one log waits forever, as on a file system that does not answer.
   const campaign::LogReader hanging_ = readingAfter([](const std::string& path) {
     while (path.find("log_2") != std::string::npos) {
       pause();
@@ -389,10 +389,10 @@ TEST(Shards, AreParsed) {
   }
 }
 
-// The reports of a supervisor on workers that do nothing, fail, or are killed by a signal.
+// Records what the supervisor reports about workers that do nothing, fail, or are killed by a signal.
 class Workers : public ::testing::Test {
  protected:
-  // `work` returns true if a job is done, false if it failed.
+  // `work` returns true if a job succeeds, and false if it fails.
   bool workOff(std::size_t count, int workers, const std::function<bool(std::size_t)>& work, double longest = 0.0) {
     campaign::PoolCallbacks callbacks;
     callbacks.start_worker = [&] { return [&](std::size_t job) { return work(job) ? "" : "an error"; }; };
@@ -475,7 +475,7 @@ TEST_F(Workers, ThatTakeTooLongAreEnded) {
   EXPECT_THAT(reasons_[JobEnd::died], ::testing::Each(HasSubstr("took longer than the limit of 0.00333333 min")));
 }
 
-// The limit applies to a single job; many short ones together may take longer.
+// The time limit applies to each job. Many short jobs together may take longer.
 TEST_F(Workers, OfManyShortJobsAreNotEnded) {
   workOff(
       20, 1,
@@ -489,7 +489,7 @@ TEST_F(Workers, OfManyShortJobsAreNotEnded) {
 }
 
 TEST_F(Workers, KeepTheTimeInWhichAllWereSuspended) {
-  // A child suspends this process for longer than the limit, as the scheduler of a cluster may do.
+  // A child process suspends this process for longer than the limit, as the scheduler of a cluster may do.
   const pid_t supervisor = getpid();
   const pid_t cluster = fork();
   if (cluster == 0) {

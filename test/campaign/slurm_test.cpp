@@ -1,4 +1,4 @@
-// The submitted array: its number of elements, its script, and names with characters that are special to a shell.
+// The array submitted to Slurm: its number of elements, its script, and names with special characters of a shell.
 #include "campaign/slurm.h"
 
 #include "support/test.h"
@@ -22,7 +22,7 @@ campaign::SlurmOptions options() {
 }
 
 TEST(SlurmArrays, AnElementIsMinutesOfWork) {
-  // 990 jobs of 10 s take one worker 165 min: 33 elements of 5 min.
+  // A worker needs 165 min for 990 jobs of 10 s, so the array has 33 elements of 5 min.
   const campaign::SlurmArray array = campaign::planArray(statusOf(1000, 10, 10.0), "/data/fleet", options());
   EXPECT_EQ(array.shards, 33U);
   EXPECT_THAT(array.script, AllOf(HasSubstr("#SBATCH --array=1-33\n"), HasSubstr("#SBATCH --requeue\n"),

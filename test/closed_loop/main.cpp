@@ -1,5 +1,5 @@
-// closed_loop: tests whether the experiment that a diagnosis proposes decides. Virtual benches play it and, for
-// comparison, a random programme of the same length; each is diagnosed together with the earlier logs.
+// closed_loop tests whether the experiment that a diagnosis proposes decides between explanations. Virtual benches play
+// it or a random programme of the same length, and each new log is diagnosed with the earlier logs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -40,10 +40,10 @@ struct Options {
 };
 
 struct Tally {
-  int open = 0;           // benches whose log leaves two or more names open
-  int proposed = 0;       // of these, benches with a proposed experiment
-  int by_proposal = 0;    // the truth alone has 90 % after the proposed log
-  int by_random = 0;      // the same after a random programme of the same length
+  int open = 0;           // benches whose logs leave two or more effects undecided
+  int proposed = 0;       // number of these benches with a proposed experiment
+  int by_proposal = 0;    // benches whose true effect alone has 90 % after the proposed log
+  int by_random = 0;      // benches whose true effect alone has 90 % after a random log of the same length
   double promised = 0.0;  // sum of the stated confidences
 };
 
@@ -54,7 +54,7 @@ diagnosis::Diagnosis diagnose(const VirtualBench& bench, const std::vector<log::
   return diagnosis::diagnose(bench.component(), logs, {}, options);
 }
 
-// Returns the number of effects whose presence the log leaves open.
+// Returns the number of effects that the logs neither confirm nor exclude.
 int openNames(const diagnosis::Diagnosis& diagnosis) {
   constexpr double kSure = 0.9;
   return static_cast<int>(std::count_if(

@@ -1,4 +1,4 @@
-// Draws the virtual bench from a seed and plays programmes on it.
+// Draws a virtual bench from a seed, and plays programmes on it.
 #include "virtual_bench.h"
 
 #include <fmt/format.h>
@@ -17,9 +17,9 @@ namespace rubber_suspension::closed_loop {
 namespace {
 
 constexpr double kStep = 0.004;      // [s]
-constexpr double kDuration = 20.0;   // [s], each log before the experiment
-constexpr double kStroke = 0.002;    // [m], of the machine
-constexpr double kFrequency = 12.0;  // [Hz], highest in any log
+constexpr double kDuration = 20.0;   // duration of each log before the experiment [s]
+constexpr double kStroke = 0.002;    // stroke of the testing machine [m]
+constexpr double kFrequency = 12.0;  // highest frequency in any log [Hz]
 constexpr double kTwoPi = 2.0 * element::kPi;
 
 using element::ElementDescription;
@@ -51,7 +51,7 @@ double standardDeviation(const std::vector<double>& values) {
 
 constexpr std::size_t kFiner = 8;  // steps of the component per sample of a log
 
-// Interpolates between samples by Catmull-Rom cubics.
+// Interpolates between samples with Catmull-Rom cubics.
 std::vector<double> finer(const std::vector<double>& z) {
   std::vector<double> result;
   for (std::size_t i = 0; i + 1 < z.size(); ++i) {
@@ -69,7 +69,7 @@ std::vector<double> finer(const std::vector<double>& z) {
   return result;
 }
 
-// Returns the force at the samples of a programme, which starts in a state at its first sample.
+// Returns the force at the samples of a programme. `state` is the state at the first sample.
 std::vector<double> forceAtSamples(const component::Component& component, component::ComponentState& state,
                                    const Programme& programme) {
   const std::vector<double> z = finer(programme.displacement);
@@ -82,14 +82,14 @@ std::vector<double> forceAtSamples(const component::Component& component, compon
   return sampled;
 }
 
-// An effect as an element of a given strength; its form differs from the candidate's if there is another element.
+// An effect as an element of a given strength. If another element exists, its law differs from the candidate's law.
 struct Effect {
   const char* name;
-  double strength;  // start of the search for the wanted gap
+  double strength;  // initial value for the search of the wanted gap
   std::function<ElementDescription(double strength)> at;
 };
 
-// Returns an element whose parameter is the strength, limited to `most`.
+// Returns elements of a type, in which the strength is the value of a parameter, limited to `most`.
 std::function<ElementDescription(double)> one(const char* type, const char* parameter,
                                               const element::ParameterValues& others = {}, double most = HUGE_VAL) {
   return [=](double strength) {
@@ -134,7 +134,7 @@ void VirtualBench::addEffect(std::vector<ElementDescription> elements) {
       {"creep", 0.2 * k, [=](double s) { return maxwell(s, 0.006 + 0.01 * shape); }}};
   const Effect& effect = effects[std::uniform_int_distribution<std::size_t>(0, effects.size() - 1)(draw_)];
   effect_ = effect.name;
-  // The strength is adjusted to the wanted gap on a sweep of amplitude and frequency within the machine's limits.
+  // The strength is adjusted to the wanted gap on a sweep of amplitude and frequency within the limits of the machine.
   const Programme probe = programmeOf("probe", kDuration, [&](double t) {
     return z * (0.6 + 0.4 * std::sin(0.5 * t)) * std::sin(kTwoPi * (1.5 * t + 0.06 * t * t));
   });

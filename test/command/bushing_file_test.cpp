@@ -1,4 +1,4 @@
-// Bushing property files are parsed block by block, as other programs read them.
+// Bushing property files are parsed block by block, as other programs do.
 #include "command/bushing_file.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -45,7 +45,7 @@ BushingFileOptions options(BushingFormat format = BushingFormat::adams) {
 
 Bushing alongX(const component::Component& component) { return bushingAlong(component::kX, component); }
 
-// Returns the value of a line `KEY = value`.
+// Returns the value in a line `KEY = value`.
 std::string valueOf(const std::vector<std::string>& lines, const std::string& key) {
   for (const std::string& line : lines) {
     std::istringstream stream(line);
@@ -85,7 +85,7 @@ TEST(BushingFile, HasStaticCurveAndDampingInItsUnits) {
   for (const auto& [x, force] : curveOf(blocks.at("FZ_CURVE"))) {
     EXPECT_EQ(force, 0.0);
   }
-  // 8000 N s/m are 8 N s/mm, from the area of the loop; the cubic spring dissipates nothing.
+  // 8000 N s/m are 8 N s/mm, computed from the area of the loop. The cubic spring dissipates no energy.
   EXPECT_NEAR(numberOf(blocks.at("DAMPING"), "FX_DAMPING"), 8.0, 1e-6);
   EXPECT_EQ(numberOf(blocks.at("DAMPING"), "FY_DAMPING"), 0.0);
 }
@@ -96,7 +96,7 @@ TEST(BushingFile, TellsWhatTheFormatCannotSay) {
   const BushingFile file = makeBushingFile("bush", alongX(component), options());
   EXPECT_THAT(file.notes, Contains(HasSubstr("maxwell: the file contains only its force at rest")));
   EXPECT_THAT(file.notes, Contains(HasSubstr("y, z, rx, ry, rz: free")));
-  // K* = 3 + i x/(1 + i x) kN/mm with x = f/f_b = 2: 3.8 + 0.4 i; the file has the static stiffness as real part.
+  // K* = 3 + i x/(1 + i x) kN/mm is 3.8 + 0.4 i for x = f/f_b = 2. Its real part in the file is the static stiffness.
   EXPECT_THAT(file.notes.front(), HasSubstr("x: at 4 Hz and 1 mm the component has 3.821 kN/mm and 6.01 degrees"));
   EXPECT_THAT(file.notes.front(), HasSubstr("the file 3.027 kN/mm and 7.59 degrees"));
 }
@@ -113,7 +113,7 @@ TEST(BushingFile, RefusesOptionsThatMakeNoFile) {
   refuses(11, 4.0, {5e-3, -1.0});
 }
 
-// F = 3e6 z + 2e10 z^3 at eleven points.
+// Returns a table of F = 3e6 z + 2e10 z^3 at eleven points.
 element::ElementDescription springTable() {
   std::vector<double> displacement;
   std::vector<double> force;
@@ -124,7 +124,7 @@ element::ElementDescription springTable() {
   return {"spring_table", {{"displacement", displacement}, {"force", force}}};
 }
 
-// x and y share a law with a curve, z is linear, rx has a spring and a dashpot; ry and rz are free.
+// x and y share a law with a table, z is linear, rx has a spring and a dashpot, and ry and rz are free.
 component::SixDirections sixDirections() {
   component::SixDirectionsLaws laws;
   laws.elements[component::kX] = {springTable()};
@@ -145,15 +145,15 @@ TEST(BushingFile, HasSixDirectionsForAdams) {
   EXPECT_NEAR(curveOf(blocks.at("FZ_CURVE")).back().second, 5e3, 1e-5);
   const auto moments = curveOf(blocks.at("TX_CURVE"));
   EXPECT_NEAR(moments.back().first, 0.1 / kDegree, 1e-7);
-  EXPECT_NEAR(moments.back().second, 900.0 * 0.1 * 1e3, 1e-4);                           // N mm
-  EXPECT_NEAR(numberOf(blocks.at("DAMPING"), "TX_DAMPING"), 5.0 * 1e3 * kDegree, 1e-5);  // N mm s/deg
+  EXPECT_NEAR(moments.back().second, 900.0 * 0.1 * 1e3, 1e-4);                           // [N mm]
+  EXPECT_NEAR(numberOf(blocks.at("DAMPING"), "TX_DAMPING"), 5.0 * 1e3 * kDegree, 1e-5);  // [N mm s/deg]
   EXPECT_EQ(curveOf(blocks.at("TY_CURVE")).back().second, 0.0);
   EXPECT_THAT(file.notes, Contains(HasSubstr("coupling: the file cannot represent it")));
   EXPECT_THAT(file.notes, Contains(HasSubstr("ry, rz: free")));
   EXPECT_THAT(file.notes, Contains(HasSubstr("frame: ")));
 }
 
-// Returns the columns of the activity table by formulation.
+// Returns the rows of the activity table by formulation.
 std::map<std::string, std::string> activity(const std::vector<std::string>& lines) {
   std::map<std::string, std::string> rows;
   for (const std::string& line : lines) {
@@ -190,12 +190,12 @@ TEST(BushingFile, HasSixDirectionsForAltair) {
   const auto curve = curveOf({spline.begin() + 2, spline.end()});
   ASSERT_EQ(curve.size(), 11U);
   EXPECT_NEAR(curve.back().second, 3e6 * 5e-3 + 2e10 * std::pow(5e-3, 3), 1e-4);
-  EXPECT_NEAR(numberOf(blocks.at("CONSTANT_STIFFNESS_FZ"), "K"), 1e3, 1e-6);                    // N/mm
-  EXPECT_NEAR(numberOf(blocks.at("CONSTANT_STIFFNESS_TX"), "K"), 900.0 * 1e3 * kDegree, 1e-4);  // N mm/deg
+  EXPECT_NEAR(numberOf(blocks.at("CONSTANT_STIFFNESS_FZ"), "K"), 1e3, 1e-6);                    // [N/mm]
+  EXPECT_NEAR(numberOf(blocks.at("CONSTANT_STIFFNESS_TX"), "K"), 900.0 * 1e3 * kDegree, 1e-4);  // [N mm/deg]
   EXPECT_NEAR(numberOf(blocks.at("CONSTANT_DAMPING_TX"), "C"), 5.0 * 1e3 * kDegree, 1e-5);
   EXPECT_EQ(blocks.count("CONSTANT_DAMPING_TY"), 0U);
   EXPECT_THAT(file.notes,
-              Contains(HasSubstr("coupling: the file has one for forces and moments")));  // not for moments here
+              Contains(HasSubstr("coupling: the file has one for forces and moments")));  // moments are not coupled
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(CharacteristicTable, OfALinearComponentIsItsComplexStiffnessUnderAnyPreload
     const std::complex<double> expected = *component.complexStiffness(row.point.frequency);
     EXPECT_EQ(row.complex_stiffness, expected);
     EXPECT_DOUBLE_EQ(row.point.characteristics.stiffness, std::abs(expected));
-    // The loss angle is defined by an arcsine, which is less accurate than the argument by a digit or two.
+    // The loss angle is an arcsine, which is less accurate than its argument by one or two digits.
     EXPECT_NEAR(row.point.characteristics.loss_angle, std::arg(expected), 1e-12);
     EXPECT_NEAR(row.mean, row.preload / kLinear, 1e-12);  // found by iteration, to 50 bits
   }
@@ -38,7 +38,7 @@ component::Component elastomer(double slower) {
                                {"stress_softening", {{"reduction", {0.2}}, {"width", {0.5}}}}});
 }
 
-// No time scale is special: a component that is 64 times slower has the same values at frequencies 64 times lower.
+// No time scale is built in: a component that is 64 times slower has the same values at frequencies 64 times lower.
 TEST(CharacteristicTable, OfASlowerComponentIsThatAtLowerFrequencies) {
   constexpr double kSlower = 64.0;
   const auto table = makeTable("bush", elastomer(1.0), {{0.5, 4.0, 30.0}, {1e-4, 2e-3}, {0.0, 5e3}});
@@ -49,14 +49,14 @@ TEST(CharacteristicTable, OfASlowerComponentIsThatAtLowerFrequencies) {
     const response::Characteristics& one = table.rows[i].point.characteristics;
     const response::Characteristics& other = slower.rows[i].point.characteristics;
     EXPECT_EQ(table.rows[i].point.settled, slower.rows[i].point.settled);
-    EXPECT_NEAR(one.stiffness, other.stiffness, 1e-9 * one.stiffness);  // the tolerance of a settled loop
+    EXPECT_NEAR(one.stiffness, other.stiffness, 1e-9 * one.stiffness);  // tolerance of a settled loop
     EXPECT_NEAR(one.loss_angle, other.loss_angle, 1e-9);
     EXPECT_NEAR(table.rows[i].mean, slower.rows[i].mean, 1e-12);
   }
 }
 
-// z = m + x: k x + c((m + x)^3 - m^3); over one cycle of x = A sin, the terms odd in x are (k + 3 c m^2) A + c A^3 at
-// the turning points; the first harmonic has 3/4 c A^3 instead of c A^3.
+// About a mean m, the force is k x + c((m + x)^3 - m^3). For x = A sin wt, its terms odd in x are (k + 3 c m^2) A + c
+// A^3 at the turning points. The first harmonic has 3/4 c A^3 instead of c A^3.
 TEST(CharacteristicTable, APreloadStiffensACubicSpring) {
   const double amplitude = 5e-4;
   const double mean = 2e-3;
@@ -67,7 +67,7 @@ TEST(CharacteristicTable, APreloadStiffensACubicSpring) {
     const double at = row.preload == 0.0 ? 0.0 : std::copysign(mean, row.preload);
     EXPECT_NEAR(row.mean, at, 1e-12);
     const double slope = kLinear + 3.0 * kCubic * at * at;
-    // The loop of 720 samples includes the turning points, so that only rounding remains.
+    // The loop of 720 samples includes the turning points, so its error is rounding only.
     EXPECT_NEAR(row.point.characteristics.stiffness, slope + kCubic * amplitude * amplitude, 1e-6 * slope);
     EXPECT_NEAR(row.complex_stiffness.real(), slope + 0.75 * kCubic * amplitude * amplitude, 1e-6 * slope);
     EXPECT_NEAR(row.complex_stiffness.imag(), 0.0, 1e-6 * slope);
@@ -88,7 +88,7 @@ TEST(CharacteristicTable, FrictionFallsWithTheAmplitudeAndIsTold) {
   EXPECT_THAT(table.notes, Contains(HasSubstr("nonlinear")));
 }
 
-// Friction does not act at rest, and its effect on a sine does not depend on the mean displacement.
+// Friction has no force at rest, and its effect on a sine does not depend on the mean displacement.
 TEST(CharacteristicTable, FrictionOnALinearSpringDoesNotFeelThePreload) {
   const component::Component component(
       {{"spring", {{"stiffness", {kLinear}}}}, {"friction", {{"maximum_force", {5e3}}, {"displacement", {2.2e-3}}}}});
@@ -100,7 +100,7 @@ TEST(CharacteristicTable, FrictionOnALinearSpringDoesNotFeelThePreload) {
   EXPECT_NEAR(table.rows[1].point.characteristics.loss_angle, angle, 1e-9);
 }
 
-// About a preload, a strap behaves as if it were bonded; it cannot carry a preload of the other sign.
+// About a preload, a strap behaves as if it were bonded. It cannot carry a preload with the opposite sign.
 TEST(CharacteristicTable, AStrapCarriesPreloadsOfOneSign) {
   const component::Component strap({{"spring", {{"stiffness", {kLinear}}}}, {"lift_off", {{"side", {1.0}}}}});
   const auto table = makeTable("strap", strap, {{1.0}, {1e-3}, {9e3}});

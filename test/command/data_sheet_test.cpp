@@ -1,4 +1,4 @@
-// Data sheets as files: the resulting component file can be used, and errors name the line.
+// Data sheets as files: the component file is valid, and errors state the line.
 #include "command/data_sheet.h"
 
 #include "support/files.h"

@@ -1,4 +1,4 @@
-// The report of `estimate`: the numbers of the sweeps, in text and JSON.
+// The report of `estimate`: the numbers of the sweeps in text and JSON.
 #include "command/estimate.h"
 
 #include <nlohmann/json.hpp>
@@ -105,7 +105,7 @@ TEST(EstimateReport, FigureHasACurvePerComponent) {
   }
 }
 
-// The specified values are drawn beside the curves that follow from them, and the curves pass through them.
+// The figure marks the specified values, and the curves pass through these marks.
 TEST(EstimateReport, FigureMarksTheSpecification) {
   const command::EstimateReport report = reportOf("left");
   const io::Figure figure = command::toFigure({report});
@@ -121,7 +121,7 @@ TEST(EstimateReport, FigureMarksTheSpecification) {
   EXPECT_THAT(curve("K_max").y, testing::Each(specified.at("maximum_stiffness") * 1e-6));
   EXPECT_THAT(curve("K_n at f_n").x, testing::ElementsAre(specified.at("nominal_frequency")));
   EXPECT_THAT(curve("K_n at f_n").y, testing::ElementsAre(specified.at("dynamic_stiffness") * 1e-6));
-  EXPECT_TRUE(curve("K at f_h").x.empty());  // K_max is not a stiffness at f_h
+  EXPECT_TRUE(curve("K at f_h").x.empty());  // the maximum stiffness is not a stiffness at f_h
 }
 
 }  // namespace

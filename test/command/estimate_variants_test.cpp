@@ -1,4 +1,4 @@
-// Further outputs of `estimate`: several models, sensitivities, CSV, the linear part as matrices.
+// Further outputs of `estimate`: several models, sensitivities, CSV, and the linear part as matrices.
 #include <unistd.h>
 
 #include <Eigen/Dense>
@@ -51,7 +51,7 @@ TEST(InModels, CompletesWhatTheSpecificationLacks) {
   notes.clear();
   const auto models = inModels(multi, {"M1,M2", "M3", "M4", "M5", "M6,3", "5"}, notes);
   ASSERT_EQ(models.size(), 8u);
-  // The loss angle of five elements equals that in theory.md.
+  // The loss angle of the model with five elements is stated in theory.md.
   const double angle = models[5].specification().at("loss_angle");
   EXPECT_NEAR(angle * 180.0 / element::kPi, 5.98, 5e-3);
   EXPECT_NEAR(models[5].specification().at("break_frequency"),
@@ -75,7 +75,7 @@ TEST(InModels, TakesNumbersOfMaxwellElements) {
   }
 }
 
-// K depends on K_n alone at f_n; at any frequency the elasticities add up to 1, as K scales with all stiffnesses.
+// At f_n, K depends on K_n only. K scales with all stiffnesses, so its elasticities add up to 1 at any frequency.
 TEST(Sensitivity, OfOneMaxwellElement) {
   SweepOptions options;
   options.lowest_frequency = 0.4;
@@ -91,13 +91,13 @@ TEST(Sensitivity, OfOneMaxwellElement) {
       sum[i] += row.stiffness.at(i);
     }
     if (stiffness) {
-      at_nominal[row.input == "dynamic_stiffness" ? 1 : 0] = row.stiffness.at(1);  // 4 Hz
+      at_nominal[row.input == "dynamic_stiffness" ? 1 : 0] = row.stiffness.at(1);  // at 4 Hz
     }
   }
   EXPECT_NEAR(at_nominal[0], 0.0, 1e-9);
   EXPECT_NEAR(at_nominal[1], 1.0, 1e-9);
   for (const double one : sum) {
-    EXPECT_NEAR(one, 1.0, 1e-3);  // the changes are 1 %
+    EXPECT_NEAR(one, 1.0, 1e-3);  // each input changes by 1 %
   }
   EXPECT_THAT(toText(report), HasSubstr("sensitivity to each input, changed by 1 %"));
   for (std::size_t i = 0; i < report.over_frequency.size(); ++i) {
@@ -129,7 +129,7 @@ std::complex<double> stiffnessOf(const LinearPart& part, double frequency) {
   return (part.c.cast<std::complex<double>>() * states)(0) + (part.d.cast<std::complex<double>>() * input)(0);
 }
 
-// C (s I - A)^-1 B + D at s = i omega equals K* of the component, for every law that has a linear form.
+// For every linear law, C (s I - A)^-1 B + D at s = i omega equals K* of the component.
 TEST(LinearPartOf, HasTheComplexStiffness) {
   const auto component = load(R"(    model: elements
     elements:
@@ -167,7 +167,7 @@ TEST(WriteLinearParts, AsJsonAndAsMatlabFile) {
   EXPECT_THAT(folder.read("part.json"), HasSubstr("rubber_suspension/state_space/1"));
   writeLinearParts({part}, folder.path("part.mat"));
   const std::string content = folder.read("part.mat");
-  // Four matrices of doubles follow the header of 128 bytes; one of them contains the stiffness 3e6.
+  // Four matrices of doubles follow the header of 128 bytes. One of the doubles is the stiffness 3e6.
   EXPECT_GT(content.size(), 128u + 4u * 48u);
   const double stiffness = part.d(0);
   EXPECT_NE(content.find(std::string(reinterpret_cast<const char*>(&stiffness), sizeof stiffness)), std::string::npos);
@@ -175,7 +175,7 @@ TEST(WriteLinearParts, AsJsonAndAsMatlabFile) {
   EXPECT_THROW(writeLinearParts({part, part}, folder.path("two.mat")), std::invalid_argument);
 }
 
-// A table of a German laboratory: names, decimal comma, tan delta, K' and K''.
+// The tables of a German laboratory have a decimal comma and German names, with tan delta or K' and K''.
 TEST(MeasuredTable, ReadsGermanTables) {
   const fit::MeasuredTable factor = parseTable(
       "Frequenz [Hz];Amplitude [mm];Dynamische Steifigkeit [N/mm];tan delta\n4;0,5;3200,5;0,1\n", "labor.csv");

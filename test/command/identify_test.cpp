@@ -1,4 +1,4 @@
-// `estimate --from-log`: from a log back to a component file.
+// `estimate --from-log` makes a component file from a log.
 #include "command/identify.h"
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ components:
 
 io::ComponentDescription description() { return componentOf(kFile); }
 
-// The log of a component that is a fifth stiffer than specified.
+// Returns the log of a component that is a fifth stiffer than its specification.
 log::Log measuredLog() {
   log::Log log = logOf("sweep", 2000, 5000000, [](int i) {
     const double t = i * 0.005;
@@ -47,7 +47,7 @@ TEST(IdentifyFromLogs, FindsTheStiffnessesAndKeepsTheBreakFrequencies) {
   }
 }
 
-// A reversed channel and a force in tonnes could be fitted all the same.
+// A reversed channel and a force in tonnes must be refused, although they could be fitted.
 TEST(IdentifyFromLogs, RefusesAReversedChannelAndAUnitThatIsOffByThousands) {
   for (const auto& [factor, reason] :
        {std::pair(-1.0, "the sign of one channel is reversed"), {1.0 / 9806.65, "N and tonnes"}}) {
@@ -61,7 +61,7 @@ TEST(IdentifyFromLogs, RefusesAReversedChannelAndAUnitThatIsOffByThousands) {
   }
 }
 
-// Returns the stiffness of the spring if the file is read with the format that a refusal advises.
+// Returns the stiffness of the spring if the file is read with the option that a refusal advises.
 double springOf(const std::string& path, const log::LogFormat& format) {
   return command::identifyFromLogs(description(), {log::readLog(path, format)}, {}).elements[0].value("stiffness");
 }
@@ -72,7 +72,7 @@ std::string refusalOf(const std::string& path) {
 
 log::LogFormat withColumns(const std::string& assignment) { return log::makeLogFormat({assignment}, "", 0.0); }
 
-// A file of a log whose force is multiplied, although its header states newtons.
+// Writes a file of a log whose force is multiplied, although its header states newtons.
 class AdviceOfTheBench : public ::testing::Test {
  protected:
   void write(double factor) {
@@ -128,7 +128,7 @@ TEST(IdentifyFromLogs, ReportsInTextAndJson) {
   EXPECT_EQ(command::identificationFigure(description(), result, {measuredLog()}).axes.size(), 2u);
 }
 
-// A log that starts in motion, with an offset of the force, noise and a spike.
+// Returns a log that starts in motion, with an offset of the force, noise and a spike.
 log::Log benchLog(const std::string& name, unsigned seed, double zero) {
   constexpr int kBefore = 900;
   constexpr int kSamples = 3000;
@@ -150,7 +150,7 @@ log::Log benchLog(const std::string& name, unsigned seed, double zero) {
   return log;
 }
 
-// Returns the largest error of a parameter, relative to the given value; the true ratio is 1.2.
+// Returns the largest error of the ratio of a parameter to its given value. The true ratio is 1.2.
 double worstRatio(const fit::Identification& result) {
   double worst = 0.0;
   for (const fit::IdentifiedParameter& parameter : result.parameters) {
@@ -165,7 +165,7 @@ TEST(IdentifyFromLogs, TakesOutWhatTheRigDid) {
   held.held = {"maxwell.break_frequency"};
   const double without = worstRatio(fit::identify(description().allElements(), logs, held));
   const fit::Identification result = command::identifyFromLogs(description(), logs, {});
-  // The error is less than a tenth of that without corrections; the rest is noise, which the intervals cover.
+  // The corrections reduce the error to less than a tenth. The rest is noise, which the intervals cover.
   EXPECT_LT(worstRatio(result), 0.1 * without);
   int outside = 0;
   for (const fit::IdentifiedParameter& parameter : result.parameters) {

@@ -1,4 +1,4 @@
-// Reading of measured tables.
+// Reading measured tables.
 #include "command/measured_table.h"
 
 #include <zlib.h>
@@ -27,7 +27,7 @@ TEST(MeasuredTable, ReadsUnitsSeparatorsAndComments) {
   EXPECT_THAT(table.notes[0], HasSubstr("Operator"));
 }
 
-// One point as many laboratories write it: 2 Hz, 0.5 mm, 3 kN/mm, 0.1 rad.
+// All tables have one point of 2 Hz, 0.5 mm, 3 kN/mm and 0.1 rad, as many laboratories write it.
 TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
   const double storage = 3000.0 * std::cos(0.1);
   const double loss = 3000.0 * std::sin(0.1);
@@ -73,7 +73,7 @@ TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
   EXPECT_DOUBLE_EQ(comma.points.at(0).stiffness, 1352.75e3);
 }
 
-// A table that no component can have, or that this one would have in another unit, is refused before the fit.
+// A table is refused before the fit if no component can have its values, or if they only suit this one in another unit.
 TEST(MeasuredTable, IsHeldAgainstTheComponent) {
   const io::ComponentDescription bush{"bush",
                                       {{"spring", {{"stiffness", {1.2e6}}}}, {"dashpot", {{"damping", {2e4}}}}}};

@@ -1,5 +1,4 @@
-// Command lines read by a table of options: values of the variables, refusals, and the help that follows from the
-// table.
+// Command lines are read by a table of options: values of the variables, refusals, and the help that the table gives.
 #include "command_line/parse.h"
 
 #include "command_line/command.h"
@@ -165,7 +164,7 @@ TEST(Help, LeavesOutWhatIsRare) {
   EXPECT_THAT(help, HasSubstr("\nExamples:\n  # Less\n  rosrun rubber_suspension try --quick\n"));
 }
 
-// runCommand() checks the files that the table names, and returns the exit status.
+// runCommand() checks the files in the table of options, and returns the exit status.
 TEST(RunCommand, ChecksTheFilesOfTheTableBeforeItRuns) {
   const auto status = [](const std::string& input, const std::string& output, bool forced) {
     std::string read;

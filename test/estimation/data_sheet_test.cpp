@@ -21,7 +21,7 @@ std::string refusal(std::optional<estimation::Model> model, estimation::LoadDire
 }
 
 TEST(ShoreHardness, GivesGentsModulus) {
-  // By hand: 0.0981 (56 + 7.62336 60)/(0.137505 (254 - 2.54 60)).
+  // The formula is 0.0981 (56 + 7.62336 60)/(0.137505 (254 - 2.54 60)), evaluated by hand.
   EXPECT_NEAR(estimation::modulusFromShoreA(60.0), 50.3647e6 / 13.97051, 1e3);
   EXPECT_NEAR(estimation::modulusFromShoreA(40.0) * 1e-6, 1.70, 0.02);
   EXPECT_THROW(estimation::modulusFromShoreA(19.0), std::invalid_argument);

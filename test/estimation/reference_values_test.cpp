@@ -1,4 +1,4 @@
-// The worked example of the paper: every estimated number, to all known digits.
+// The example of the paper: every estimated number, to all known digits.
 #include "estimation/values.h"
 #include "rubber_suspension/component/component.h"
 #include "rubber_suspension/element/constants.h"
@@ -9,7 +9,7 @@ namespace {
 
 using estimation::Model;
 
-// The paper uses kN and mm; the values here are in SI units.
+// The paper has kN and mm. These values are in SI units.
 const Values kExample = {{"static_stiffness", 3e6}, {"dynamic_stiffness", 4.2e6}, {"nominal_frequency", 4.0}};
 const Values kFrictionExample = kExample + Values{{"relative_damping", 0.05}, {"nominal_amplitude", 2e-3}};
 const Values kFiveInputs = kExample + Values{{"maximum_stiffness", 4.9e6}, {"high_frequency", 25.0}};
@@ -25,7 +25,7 @@ struct Number {
   std::size_t element;
   std::string key;
   double value;
-  double tolerance;  // half of the last digit that is known
+  double tolerance;  // half a unit of the last known digit
 };
 
 struct Reference {
@@ -45,7 +45,7 @@ Reference byBreakFrequency(const std::string& name, double break_frequency, doub
 }
 
 // The paper prints 1.43 Hz for D_n = 5 %. It may follow from the damping, from the rounded angle of 5.7 degrees, or
-// from the loss energy of M1, Im K* = 2 D_n K_n at |K*| = K_n, which comes nearest.
+// from the loss energy of M1, Im K* = 2 D_n K_n at |K*| = K_n. The last comes nearest.
 Reference byLossAngle(const std::string& name, const std::string& key, double value, double break_frequency,
                       double k1) {
   return {name,
@@ -115,7 +115,7 @@ TEST_P(ReferenceValues, AreThoseOfTheEstimation) {
   }
 }
 
-// Ratios of neighbouring elements of a bank, and the damping k_1/(2 pi f_b) of Berg's model.
+// Ratios of neighbouring Maxwell elements, and the damping k_1/(2 pi f_b) of Berg's model.
 TEST(ReferenceRatios, AreThoseOfTheEstimation) {
   const auto three = estimated(Model::multi_maxwell, kThreeElements);
   EXPECT_NEAR(three[1].value("stiffness") / three[2].value("stiffness"), 1.911, 0.0005);

@@ -1,4 +1,4 @@
-// Specifications without a solution are refused with key, value and the accepted intervals.
+// Specifications without a solution are refused with key, value and accepted intervals.
 #include <regex>
 
 #include "estimation/values.h"
@@ -66,7 +66,7 @@ TEST(Refusal, SlipsOfInput) {
       {estimation::Model::maxwell, &kMaxwell, "loss_angle", 1.0},
       {estimation::Model::maxwell, &kMaxwell, "loss_angle", element::kPi / 2.0},
       {estimation::Model::maxwell, &kMaxwell, "loss_angle", 0.0},
-      {estimation::Model::maxwell, &kMaxwell, "break_frequency", 1.0},  // beside the loss angle
+      {estimation::Model::maxwell, &kMaxwell, "break_frequency", 1.0},  // in addition to the loss angle
       {estimation::Model::maxwell, &kMaxwell, "nominal_frequency", 0.0},
       {estimation::Model::maxwell, &kMaxwell, "nominal_frequency", HUGE_VAL},
       {estimation::Model::maxwell_dashpot, &kMaxwellDashpot, "break_frequency", 5.0},
@@ -119,7 +119,7 @@ struct Interval {
   double upper;
 };
 
-// Returns whether the specification that a message calls nearest has a solution.
+// Returns true if the specification that a message states as nearest has a solution.
 bool nearestIsSolvable(estimation::Model model, const std::string& message) {
   const std::string before = "nearest: specification: ";
   const std::size_t place = message.find(before);
@@ -129,7 +129,7 @@ bool nearestIsSolvable(estimation::Model model, const std::string& message) {
          }) == "";
 }
 
-// Parses the intervals "key in (a, b)" of a message, including those after "or".
+// Parses all intervals "key in (a, b)" of a message, including those behind "or".
 std::vector<Interval> intervalsIn(const std::string& message) {
   std::vector<Interval> intervals;
   const std::string text = message.substr(message.find("accepted: "));
@@ -146,8 +146,8 @@ TEST(Refusal, NamesTheIntervalOfTheDynamicStiffness) {
   const Values values = with(kFiveInputs, "maxwell_elements", 2.0);
   const std::string message = refusal(estimation::Model::multi_maxwell, values);
   EXPECT_THAT(message, HasSubstr("dynamic_stiffness: 4.2e+06 N/m"));
-  // At the bounds, only the last or only the first element has stiffness. The bands of the elements have the edges 5,
-  // 5 sqrt(5) and 25 Hz, and the break frequency is the mean of two edges.
+  // At the bounds, only the last or only the first element has stiffness. The elements' bands have the edges 5, 5
+  // sqrt(5) and 25 Hz. Each break frequency is the mean of two edges.
   const auto single = [](double break_frequency) {
     const std::complex<double> ratio(0.0, 4.0 / break_frequency);
     return std::abs(3e6 + 1.9e6 * ratio / (1.0 + ratio));
@@ -185,7 +185,7 @@ TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
     EXPECT_FALSE(intervals.empty()) << message;
     for (const Interval& interval : intervals) {
       if (interval.key == "maxwell_elements") {
-        continue;  // whole numbers
+        continue;  // takes whole numbers
       }
       const double width = interval.upper - interval.lower;
       for (const double part : {0.001, 0.5, 0.999}) {
@@ -199,7 +199,7 @@ TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
   }
 }
 
-// If no change of a single input is enough, two have to change.
+// If no change of a single input is sufficient, two inputs have to change.
 TEST(Refusal, TellsWhatIsNearestToOneStiffnessThroughout) {
   const Values values = with(with(kFiveInputs, "dynamic_stiffness", 3e6), "maximum_stiffness", 3e6);
   const std::string message = refusal(estimation::Model::multi_maxwell, values);

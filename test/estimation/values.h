@@ -1,4 +1,4 @@
-// Values of specifications by key, with operators that add, replace and remove some.
+// Values of specifications by key, with operators that add, replace and remove values.
 #pragma once
 
 #include <map>

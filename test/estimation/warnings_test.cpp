@@ -1,4 +1,4 @@
-// Warnings of unusual specifications, in the units of the user; usual ones cause none.
+// Unusual specifications cause warnings in the units of the user. Usual specifications cause none.
 #include "rubber_suspension/estimation/notes.h"
 #include "support/test.h"
 

@@ -11,7 +11,7 @@
 namespace rubber_suspension {
 namespace {
 
-// Every run draws the same cases, unless the environment sets RC_PARAMS.
+// Every run draws the same cases, unless the environment variable RC_PARAMS is set.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20150817 max_success=50", 0) == 0;
 
 constexpr double kDegree = element::kPi / 180.0;
@@ -47,7 +47,7 @@ TEST(WholeComponent, OfTooLargeARatioIsRefusedAsABaseIs) {
   EXPECT_THAT(text, testing::HasSubstr("accepted: "));
 }
 
-// An independent program computed these values (docs/estimation.md); tolerances are half of the last digit.
+// An independent program computed these values (docs/estimation.md). Tolerances are half a unit of the last digit.
 TEST(WholeComponent, OfFiveInputsWithFriction) {
   const struct {
     double amplitude, alpha, loss_angle;
@@ -72,7 +72,7 @@ TEST(WholeComponent, OfFiveInputsWithFriction) {
   }
 }
 
-// A specification of the base ignores friction, so the whole component differs much from it.
+// A specification of the base model ignores friction, so the whole component differs much from its numbers.
 TEST(WholeComponent, OfABaseIsWhatComesOut) {
   for (const auto& [amplitude, stiffness, angle] :
        {std::tuple(2e-3, 5.38137e6, 9.0587), std::tuple(1e-3, 5.78245e6, 7.9395)}) {
@@ -105,7 +105,7 @@ TEST(WholeComponent, NeedsAnAmplitudeWhereItIsNonlinear) {
   EXPECT_EQ(refusal(estimation::Model::multi_maxwell, specificationOf(values), {maxwell(2e5, 1.0)}), "");
 }
 
-// Added springs and Maxwell elements are part of K_st and K_max.
+// Added springs and Maxwell elements are included in the static and in the maximum stiffness.
 TEST(WholeComponent, SharesItsStiffnessesWithWhatIsAdded) {
   const Entries add = {spring(5e5), maxwell(2e5, 1.0)};
   const auto base = estimation::resolve(estimation::Model::multi_maxwell, specificationOf(fiveInputs(4.2e6, 2e-3)), add)
@@ -129,7 +129,7 @@ TEST(WholeComponent, LeavesOutWhatNeverSettles) {
             estimation::resolve(estimation::Model::multi_maxwell, specification, kFriction).specification.values());
 }
 
-/// A base that has a solution.
+/// A specification of the base model that has a solution.
 struct Case {
   estimation::Model model;
   std::map<std::string, double> base;
@@ -163,7 +163,7 @@ std::map<std::string, double> anyBase(estimation::Model model) {
   return base;
 }
 
-/// Draws elements that have a settled loop; the last two are in series, so forces do not add up.
+/// Draws elements that have a settled loop. The last two types are in series, so forces do not add up.
 Entries anyAdded(estimation::Model model) {
   const Entries all = {friction(2e3, 5e-4),
                        entry("iwan maximum_force=1e3 displacement=3e-4 sliders=8"),
@@ -176,7 +176,7 @@ Entries anyAdded(estimation::Model model) {
                        entry("inertia_track mass=100 damping=3e3 stiffness=4e5"),
                        entry("free_play gap=5e-5"),
                        entry("series_compliance stiffness=6e7")};
-  // Behind a compliance, slow elements need hundreds of cycles to settle.
+  // Behind a series compliance, slow elements need hundreds of cycles to settle.
   const int end = static_cast<int>(all.size()) - (model == estimation::Model::multi_maxwell ? 2 : 0);
   Entries added;
   for (const int i : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, end))) {
@@ -204,7 +204,7 @@ double addedLimit(const Entries& added) {
   return sum;
 }
 
-// The characteristics of a base with any added elements are specified, so a solution exists and has to be found.
+// The specified values are those of a base model with any added elements. So a solution exists and must be found.
 RC_GTEST_PROP(WholeComponent, MeetsWhatIsSpecifiedForAnyAdd, ()) {
   using estimation::Model;
   const Model model = *rc::gen::element(Model::kelvin_voigt, Model::maxwell, Model::maxwell_dashpot, Model::friction,
@@ -239,7 +239,7 @@ RC_GTEST_PROP(WholeComponent, MeetsWhatIsSpecifiedForAnyAdd, ()) {
   }
 }
 
-// A stiffness of 3.1 kN/mm at 40 Hz is met at 40 Hz by one Maxwell element (closed form) and by five.
+// One Maxwell element (closed form) and five elements have the specified 3.1 kN/mm at 40 Hz.
 TEST(HighFrequencyStiffness, IsThatAtItsFrequency) {
   const std::map<std::string, double> values = {{"static_stiffness", 2e6},
                                                 {"dynamic_stiffness", 2.5e6},
@@ -282,7 +282,7 @@ estimation::Specification pointsOf(const Entries& truth, const std::vector<std::
   return specification;
 }
 
-// Every model meets points that it generated itself.
+// Every model can be fitted to points that the same model generated.
 TEST(Points, OfAModelAreMet) {
   using estimation::Model;
   const std::vector<std::pair<double, double>> places = {{0.5, 1e-3}, {4.0, 2e-3}, {4.0, 5e-4}, {20.0, 2e-4}};
@@ -311,7 +311,7 @@ TEST(Points, OfAModelAreMet) {
       EXPECT_NEAR(misfit.stiffness / *misfit.point.stiffness, 1.0, 1e-5) << estimation::toString(model);
       EXPECT_NEAR(misfit.loss_angle, *misfit.point.loss_angle, 1e-5) << estimation::toString(model);
     }
-    // The numbers of the resolved base give the same elements.
+    // The numbers of the resolved specification give the same elements.
     const Entries again = estimation::estimate(model, resolved.specification);
     for (const auto& [frequency, amplitude] : places) {
       EXPECT_NEAR(at(again, frequency, amplitude).stiffness / at(elements, frequency, amplitude).stiffness, 1.0, 1e-5)
@@ -320,12 +320,12 @@ TEST(Points, OfAModelAreMet) {
   }
 }
 
-// Of two contradictory points, the one with more weight is met better, and the misfit is reported.
+// If two points contradict each other, the point with more weight is met better, and the misfit is reported.
 TEST(Points, AreWeighted) {
   estimation::Specification specification;
   specification.setPoints({{4.0, 0.0, 4e6, 0.1, 100.0}, {4.0, 0.0, 5e6, 0.1, 1.0}});
   const auto resolved = estimation::resolve(estimation::Model::kelvin_voigt, specification, {});
-  // ln K is the weighted mean.
+  // The logarithm of the stiffness is the weighted mean of the logarithms.
   EXPECT_NEAR(resolved.points[0].stiffness, std::exp((100.0 * std::log(4e6) + std::log(5e6)) / 101.0), 1.0);
   EXPECT_EQ(resolved.notes.size(), 2u);
   EXPECT_THAT(resolved.notes[1], HasSubstr("point 2, 4 Hz"));

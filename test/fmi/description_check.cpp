@@ -1,4 +1,4 @@
-// Rules of FMI 2.0.4 (2.2 and 4.3) and FMI 3.0 (2.4 and 4.3) for modelDescription.xml, as far as they concern a
+// Rules for modelDescription.xml in FMI 2.0.4 (2.2 and 4.3) and FMI 3.0 (2.4 and 4.3), as far as they concern a
 // co-simulation FMU with real variables.
 #include "fmi/description_check.h"
 
@@ -40,7 +40,7 @@ std::optional<double> numberOf(const std::string& text) {
   return !text.empty() && *end == '\0' ? std::optional<double>(value) : std::nullopt;
 }
 
-// The standard's table "initial": the values that a causality and a variability permit.
+// The table "initial" of the standard: the values that a causality and a variability permit.
 const std::map<std::pair<std::string, std::string>, std::set<std::string>>& initialTable() {
   static const std::map<std::pair<std::string, std::string>, std::set<std::string>> table = {
       {{"parameter", "fixed"}, {"", "exact"}},
@@ -220,7 +220,7 @@ class Check {
 
   void checkVariable(const XMLElement& element, const Variable& variable) {
     const std::string& name = variable.name;
-    // FMI 2.0, 2.2.9: B-name [indices] {"." B-name [indices]}
+    // FMI 2.0, 2.2.9 defines a structured name as B-name [indices] {"." B-name [indices]}.
     static const std::regex structured(R"(([A-Za-z_]\w*(\[\d+(,\d+)*\])?)(\.[A-Za-z_]\w*(\[\d+(,\d+)*\])?)*)");
     require(attribute(root_, "variableNamingConvention") != "structured" || std::regex_match(name, structured),
             name + ": a structured name");
@@ -298,7 +298,7 @@ class Check {
     return result;
   }
 
-  // FMI 2.0 refers to variables by their number, counted from 1; FMI 3.0 by their value references.
+  // FMI 2.0 refers to variables by their number, counted from 1. FMI 3.0 refers to them by their value references.
   template <class Choice>
   std::vector<std::string> chosen(Choice choice) const {
     std::vector<std::string> result;

@@ -1,4 +1,4 @@
-// Rules of the standard for modelDescription.xml, with those of its tables that a schema cannot express.
+// Rules of the standard for modelDescription.xml, including tables that a schema cannot express.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::fmi::test {
 
-/// Returns a line for each violation of a rule; empty if there is none.
+/// Returns a line for each violation of a rule, so nothing for a valid description.
 std::vector<std::string> brokenRules(const std::string& xml, Version version);
 
 }  // namespace rubber_suspension::fmi::test

@@ -1,4 +1,4 @@
-// Tests the exporter: its description against the rules of the standard, its archive, and its refusals.
+// The exporter: its description follows the rules of the standard. Also its archive and its refusals.
 #include "fmi/export.h"
 
 #include "element/typical_elements.h"
@@ -16,7 +16,7 @@ std::string makeFmu(const io::ComponentDescription& description, Version version
   return toZip(fmuFiles(description, version, from));
 }
 
-// All models of the example, and a component of all laws.
+// Returns all models of the example, and a component with all laws.
 std::vector<io::ComponentDescription> components() {
   auto list = io::loadComponentFile(TEST_DIR "/../config/example.yaml");
   list.emplace_back("all_laws", rubber_suspension::test::typicalElements());
@@ -190,7 +190,7 @@ std::string outputOf(const std::string& command) {
   return output;
 }
 
-// The binary links only the C library and its mathematics, and exports only the functions of the standard.
+// The binary links the C library and its mathematics only, and exports the functions of the standard only.
 TEST(Binary, StandsAlone) {
   const std::string dynamic = outputOf("readelf -d -W " FMU_BINARY);
   ASSERT_THAT(dynamic, HasSubstr("NEEDED"));

@@ -31,7 +31,7 @@ std::map<std::string, Reference> referencesOf(const std::string& xml) {
   return references;
 }
 
-// Writes the binary to a file, loads and deletes it.
+// Writes the binary to a file, loads it, and deletes the file.
 void* load(const ArchiveEntry& binary) {
   std::string folder = (std::filesystem::temp_directory_path() / "fmu.XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) {

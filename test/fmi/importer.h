@@ -12,7 +12,7 @@
 
 namespace rubber_suspension::fmi::test {
 
-/// Value references of a component of one direction.
+/// Value references of a component with one direction.
 namespace reference {
 using namespace fmi::reference;
 constexpr Reference kElastic = 3;
@@ -20,10 +20,10 @@ constexpr Reference kViscous = 4;
 constexpr Reference kFriction = 5;
 }  // namespace reference
 
-/// Status codes of the functions in both versions.
+/// Status codes of the functions in both versions of the standard.
 enum Result { kOk = 0, kWarning = 1, kDiscard = 2, kError = 3, kFatal = 4 };
 
-/// An unpacked FMU in a folder of its own. The binary is deleted once it is loaded, so it cannot read any files.
+/// An unpacked FMU in a folder of its own. The binary is deleted after loading, so that it cannot read other files.
 class LoadedFmu {
  public:
   LoadedFmu(const io::ComponentDescription& description, Version version);
@@ -34,13 +34,13 @@ class LoadedFmu {
   Version version() const { return version_; }
   const std::string& guid() const { return guid_; }
 
-  /// Returns a function by its name. Throws if the binary has none of this name.
+  /// Returns the function with this name. Throws if the binary has no such function.
   template <class Function>
   Function* function(const char* name) const {
     return reinterpret_cast<Function*>(symbol(name));
   }
 
-  /// Returns the value reference of a name in modelDescription.xml.
+  /// Returns the value reference of a variable by its name in modelDescription.xml.
   Reference reference(const std::string& name) const { return references_.at(name); }
   const std::map<std::string, Reference>& references() const { return references_; }
 
@@ -53,7 +53,7 @@ class LoadedFmu {
   void* library_ = nullptr;
 };
 
-/// One instance, called by the functions of either version; its log messages are stored.
+/// An instance of an FMU of either version. Its log messages are stored.
 class Importer {
  public:
   struct Message {

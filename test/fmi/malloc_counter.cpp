@@ -1,4 +1,4 @@
-// Replaces glibc's malloc, calloc and realloc by functions that count the calls and then call the originals.
+// Replaces malloc, calloc and realloc of glibc by functions that count the calls and call the originals.
 #include "fmi/malloc_counter.h"
 
 #include <atomic>

@@ -32,7 +32,7 @@ std::vector<char> savedBytes(Importer& importer) {
   return bytes;
 }
 
-// Makes some steps from a time on, and returns the forces.
+// Makes `count` steps from a time on, and returns the forces.
 std::vector<double> someSteps(Importer& importer, double& time, int count) {
   std::vector<double> forces;
   for (int i = 0; i < count; ++i, time += 1e-3) {
@@ -121,7 +121,7 @@ TEST_P(Phases, StartTimesThatCannotBeAreErrors) {
   EXPECT_EQ(importer->step(12.5, 1e-3), kOk);
 }
 
-// FMI 2.0.4, 2.1.6 and FMI 3.0, 2.3.3: a step beyond a defined stop time is an error.
+// By FMI 2.0.4, 2.1.6 and FMI 3.0, 2.3.3, a step beyond a defined stop time is an error.
 TEST_P(Phases, AStepEndsAtTheStopTimeAtTheLatest) {
   const LoadedFmu fmu(bush(), GetParam());
   const auto importer = Importer::make(fmu, fmu.guid());
@@ -136,7 +136,7 @@ TEST_P(Phases, AStepEndsAtTheStopTimeAtTheLatest) {
   someSteps(*importer, time, 1);  // the sum of a hundred steps of 1 ms is rounded, which must not count as beyond 0.1 s
   EXPECT_EQ(importer->step(time, 1e-6), kError);
 
-  // The stop time is part of the state, and a reset clears it.
+  // The stop time is part of the saved state. A reset removes the stop time.
   const auto other = Importer::make(fmu, fmu.guid());
   void* read = nullptr;
   ASSERT_EQ(other->deserialise(bytes.data(), bytes.size(), &read), kOk);
@@ -158,7 +158,7 @@ TEST_P(Phases, ParametersOfTheSpecificationAreEstimatedAnew) {
   ASSERT_EQ(importer->set(stiffness, 3.2e6), kOk);
   ASSERT_EQ(importer->enterInitialisation(0.0), kOk);
   EXPECT_EQ(importer->value(estimated), 3.2e6);
-  ASSERT_EQ(importer->set(friction, 4e3), kOk);  // parameters can still be set in initialisation
+  ASSERT_EQ(importer->set(friction, 4e3), kOk);  // parameters may be set during initialisation
   EXPECT_EQ(importer->set(estimated, 3e6), kError);
   ASSERT_EQ(importer->set(reference::kDisplacement, 1e-3), kOk);
 
@@ -197,7 +197,7 @@ TEST_P(Phases, ParametersThatCannotBeAreRefused) {
   EXPECT_EQ(importer->set(stiffness, 0.0), kDiscard);
   EXPECT_THAT(importer->messages.back().text, HasSubstr("specification.static_stiffness"));
   EXPECT_EQ(importer->set(fmu.reference("specification.maxwell_elements"), 4.0), kDiscard);
-  // The value is in range, but has no solution together with the dynamic stiffness of 4.2e6.
+  // The value is in its range, but with the dynamic stiffness of 4.2e6 there is no solution.
   ASSERT_EQ(importer->set(stiffness, 5e6), kOk);
   ASSERT_EQ(importer->enterInitialisation(0.0), kOk);
   double force = 0.0;
@@ -305,7 +305,7 @@ TEST_P(Phases, BytesThatAreNoStateAreRefused) {
   EXPECT_EQ(importer->deserialise(bytes.data(), size, nullptr), kError);
 }
 
-// Anyone can compute the checksum, so indices into the lists of elements are checked as well.
+// A changed state may have a valid checksum, so indices into the lists of elements are checked as well.
 TEST_P(Phases, AStateWithAPlaceBeyondAListIsRefused) {
   const LoadedFmu fmu({"late", {{"spring", {{"stiffness", {3e6}}}}, {"time_delay", {{"delay", {0.01}}}}}}, GetParam());
   const auto importer = Importer::make(fmu, fmu.guid());
@@ -348,7 +348,7 @@ INSTANTIATE_TEST_SUITE_P(BothVersions, Phases, testing::Values(Version::fmi2, Ve
 
 TEST(Fmi2, DerivativesOfTheDisplacementCountForOneStep) {
   const LoadedFmu fmu(bush(), Version::fmi2);
-  const fmi2CallbackFunctions callbacks{};  // no logger
+  const fmi2CallbackFunctions callbacks{};  // without a logger
   const auto instance = fmu.function<decltype(fmi2Instantiate)>("fmi2Instantiate")(
       "test", fmi2CoSimulation, fmu.guid().c_str(), nullptr, &callbacks, 0, 1);
   ASSERT_NE(instance, nullptr);
@@ -371,7 +371,7 @@ TEST(Fmi2, DerivativesOfTheDisplacementCountForOneStep) {
   ASSERT_EQ(derive(instance, both.data(), 2, orders.data(), derivatives.data()), fmi2OK);
   ASSERT_EQ(step(instance, 0.0, 0.5e-3, 1), fmi2OK);
   ASSERT_EQ(get(instance, &out, 1, &force), fmi2OK);
-  // The expected value is z + z' h + z'' h^2/2; another order of summation rounds it differently by 1e-16.
+  // The expected displacement is z + z' h + z'' h^2/2. Another order of summation changes its rounding by 1e-16.
   const double reached = 1e-3 + 0.25 * 0.5e-3 + 0.5 * 8.0 * 0.25e-6;
   EXPECT_NEAR(force, component.step(state, 0.5e-3, reached).total, 1e-9);
   ASSERT_EQ(step(instance, 0.5e-3, 0.5e-3, 1), fmi2OK);
@@ -400,7 +400,7 @@ TEST(Fmi2, TellsItsVersionAndIsNoModelExchange) {
   fmu.function<decltype(fmi2FreeInstance)>("fmi2FreeInstance")(nullptr);
 }
 
-// Texts of messages are formats of printf, so text from outside must not be interpreted as one.
+// Messages are format strings of printf, so a percent sign in a text from outside must be escaped.
 TEST(Fmi2, MessagesAreNoFormats) {
   const LoadedFmu fmu(bush(), Version::fmi2);
   const auto importer = Importer::make(fmu, fmu.guid());

@@ -1,4 +1,4 @@
-// Validates the description against the schemas of the standard, if these and xmllint are available.
+// Validates the description against the schemas of the standard, if the schemas and xmllint are available.
 #include <unistd.h>
 
 #include "element/typical_elements.h"
@@ -59,7 +59,7 @@ TEST_P(Schema, HoldsForEveryModelAndLaw) {
     const Answer answer = validate(xml);
     EXPECT_EQ(answer.status, 0) << component.name << ": " << answer.text;
   }
-  // The validation detects an error.
+  // The validation must detect this error.
   xml.replace(xml.find("modelName"), 9, "modelTitle");
   EXPECT_NE(validate(xml).status, 0);
 }

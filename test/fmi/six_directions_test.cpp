@@ -1,4 +1,4 @@
-// An FMU of a component of six directions maps poses to the wrenches of the component, to the last bit.
+// An FMU with six directions gives the same wrenches as the component for any poses, to the last bit.
 #include "rubber_suspension/component/six_directions.h"
 
 #include "fmi/description_check.h"
@@ -66,7 +66,7 @@ class SixDirections : public testing::TestWithParam<Version> {
     ASSERT_EQ(importer_->exitInitialisation(), kOk);
   }
 
-  // Returns the wrench of each sample after `first` up to `last`; `first` is already set.
+  // Returns the wrench of each sample after `first` up to `last`. The pose of `first` is already set.
   std::vector<component::SixNumbers> drive(int first, int last) {
     std::vector<component::SixNumbers> wrenches;
     for (int i = first + 1; i <= last; ++i) {
@@ -121,7 +121,7 @@ TEST_P(SixDirections, ASavedStateGoesOnWithTheSameBits) {
   const auto first = drive(100, 200);
   ASSERT_EQ(importer_->restore(state), kOk);
   EXPECT_EQ(drive(100, 200), first);
-  // The state is restored in another instance from its bytes.
+  // The state is restored from its bytes in another instance.
   importer_->free(&state);
   importer_ = Importer::make(fmu_, fmu_.guid());
   ASSERT_EQ(importer_->deserialise(bytes.data(), size, &state), kOk);
@@ -134,7 +134,7 @@ TEST_P(SixDirections, ARotationBeyondTheMeasureIsAnErrorThatLeavesAllAsItWas) {
   start(0);
   drive(0, 50);
   component::SixNumbers of_bush = component::SixNumbers::Zero();
-  of_bush[component::kRy] = 1.55;  // 88.8 deg; the cardan angles of the bush are valid up to 85 deg
+  of_bush[component::kRy] = 1.55;  // 88.8 deg; cardan angles of the bush are valid up to 85 deg
   const Eigen::Isometry3d pose = sixDirectionsBush().six->makeComponent().pose(of_bush);
   component::SixNumbers beyond;
   beyond << pose.translation(),

@@ -1,4 +1,4 @@
-// An FMU steps as the component does, to the last bit, whatever the importer does between steps.
+// An FMU gives the same forces as the component to the last bit, whatever the importer does between steps.
 #include "element/largest_number.h"
 #include "element/typical_elements.h"
 #include "fmi/importer.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The sum of two sines of 2 mm and 0.3 mm that never repeats, with rests.
+// Returns the sum of sines of 2 mm and 0.3 mm that never repeats, with rests.
 double displacementAt(std::size_t sample) {
   const double time = 1e-3 * static_cast<double>(sample);
   return sample / 100 % 4 == 3 ? 1e-3 : 2e-3 * std::sin(20.0 * time) + 3e-4 * std::sin(311.0 * time);
@@ -36,7 +36,7 @@ std::vector<double> drive(Importer& importer, const log::Log& log) {
   return force;
 }
 
-// A component with relaxation, friction, play, compliance, softening, heating and a delayed sensor.
+// Returns a component with relaxation, friction, play, compliance, softening, heating and a delayed sensor.
 io::ComponentDescription everything() {
   return {"everything",
           {{"spring", {{"stiffness", {3e6}}}},
@@ -77,7 +77,7 @@ TEST_P(Steps, ForcesAreThoseOfReplayForEveryLaw) {
   for (const element::ElementDescription& law : rubber_suspension::test::typicalElements()) {
     io::ComponentDescription description(
         "law", {{"spring", {{"stiffness", {3e6}}}}, {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}}});
-    description.add = {law};  // added to the component as an effect of a diagnosis is
+    description.add = {law};  // added to the component like an effect in a diagnosis
     const LoadedFmu fmu(description, GetParam());
     const auto importer = Importer::make(fmu, fmu.guid());
     ASSERT_TRUE(importer->valid());
@@ -106,7 +106,7 @@ TEST_P(Steps, StepsMayVaryAndPartsAddUp) {
   EXPECT_EQ(importer->value(reference::kFriction), force.friction);
 }
 
-// A component that stiffens in the cold.
+// Returns a component that is stiffer in the cold.
 io::ComponentDescription shifting() {
   io::ComponentDescription description("shifting", {{"spring", {{"stiffness", {3e6}}}},
                                                     {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}}});
@@ -134,7 +134,7 @@ TEST_P(Steps, FollowTheTemperatureAsReplayDoes) {
   void* state = nullptr;
   for (std::size_t i = 1; i < log.size(); ++i) {
     ASSERT_EQ(importer->save(&state), kOk);
-    ASSERT_EQ(importer->set(temperature, 60.0), kOk);  // a trial step at another temperature is undone
+    ASSERT_EQ(importer->set(temperature, 60.0), kOk);  // a trial step at another temperature, which is undone
     ASSERT_EQ(importer->step(time, stepOf(log, i)), kOk);
     ASSERT_EQ(importer->restore(state), kOk);
     ASSERT_EQ(importer->value(temperature), log.temperature[i - 1]);
@@ -181,7 +181,7 @@ TEST_P(Steps, StepAllocatesNothing) {
     wrong += importer->save(&state) != kOk ? 1 : 0;
     wrong += importer->set(reference::kDisplacement, displacementAt(i)) != kOk ? 1 : 0;
     wrong += importer->step(time, 1e-3) != kOk ? 1 : 0;
-    wrong += importer->restore(state) != kOk ? 1 : 0;  // a trial step is undone
+    wrong += importer->restore(state) != kOk ? 1 : 0;  // undoes a trial step
     wrong += importer->set(reference::kDisplacement, displacementAt(i)) != kOk ? 1 : 0;
     wrong += importer->step(time, 1e-3) != kOk ? 1 : 0;
     wrong += importer->get(&out, 1, &force) != kOk ? 1 : 0;
@@ -252,7 +252,7 @@ TEST_P(Steps, WhatIsRefusedChangesNothing) {
     EXPECT_EQ(importer->set(reference::kForce, 1.0), kError);
     EXPECT_EQ(importer->set(reference::kTime, 1.0), kError);
     EXPECT_EQ(importer->set(100000, 1.0), kError);
-    EXPECT_EQ(importer->set(fmu.reference("elements[1].spring.stiffness"), 1e6), kError);  // too late for parameters
+    EXPECT_EQ(importer->set(fmu.reference("elements[1].spring.stiffness"), 1e6), kError);  // too late to set one
     double value = 0.0;
     const Reference unknown = 100000;
     EXPECT_EQ(importer->get(&unknown, 1, &value), kError);
@@ -281,7 +281,7 @@ TEST_P(Steps, AListIsSetAsAWholeOrNotAtAll) {
 
 TEST_P(Steps, AForceThatIsNotFiniteTakesASavedStateToGoOn) {
   std::vector<element::ElementDescription> elements = stiffening().allElements();
-  // The force of this element overflows at the largest accepted displacement.
+  // The force of this element overflows at the largest displacement that is accepted.
   elements.push_back(
       {"bump_stop", {{"gap", {1.0}}, {"stiffness", {1e30}}, {"exponent", {3.0}}, {"reference_depth", {1e-99}}}});
   const io::ComponentDescription description("stiffening", elements);

@@ -8,7 +8,7 @@
 
 namespace rubber_suspension::fmi::test {
 
-/// Returns the files of a zip archive, not its folders. Throws std::runtime_error that begins with its name `source`.
+/// Returns the files of a zip archive without folders. Throws std::runtime_error; its message begins with `source`.
 std::vector<ArchiveEntry> fromZip(const std::string& bytes, const std::string& source);
 
 }  // namespace rubber_suspension::fmi::test

@@ -1,4 +1,4 @@
-// Figures of agreement between a measured and a simulated force, with limits, table and JSON.
+// Measures of agreement between a measured and a simulated force, with limits, table and JSON.
 #include "gap/agreement.h"
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace {
 constexpr double kAmplitude = 1e-3;  // [m]
 constexpr double kForce = 2000.0;    // [N]
 
-// Records ten cycles of 10 Hz at 1 kHz, with the force ahead of the displacement by an angle [rad].
+// Records ten cycles of 10 Hz, sampled at 1 kHz. The force leads the displacement by an angle [rad].
 log::Log sine(double angle) {
   constexpr double kOmega = 2.0 * element::kPi * 10.0;
   log::Log log = recorded(
@@ -22,8 +22,8 @@ log::Log sine(double angle) {
   return log;
 }
 
-// The energy per cycle is pi times both amplitudes times the sine of the angle. Chords of a hundredth of a cycle reduce
-// it by sin(x)/x of a step, 0.07 %.
+// The energy per cycle is pi times both amplitudes times the sine of the angle. Straight lines of a hundredth of a
+// cycle reduce the energy by sin(x)/x of a step, 0.07 %.
 TEST(Agreement, OfASineWithTooSmallAnAngle) {
   const log::Log log = sine(0.2);
   const gap::Agreement a = gap::agreementOf(log, sine(0.1).force);
@@ -47,7 +47,7 @@ TEST(Agreement, LeavesOutTheStart) {
   EXPECT_THROW(gap::agreementOf(log, {1.0, 2.0}), std::invalid_argument);
 }
 
-// The rating uses even steps: missing samples are interpolated linearly.
+// The rating resamples at even steps: missing samples are interpolated linearly.
 TEST(Agreement, RatesAtEvenSteps) {
   const auto pulse = [](int i, double middle) { return std::exp(-std::pow((i - middle) / 60.0, 2)); };
   const log::Log log = logOf(

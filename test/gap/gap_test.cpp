@@ -1,4 +1,4 @@
-// The gap, its noise floor and the share that a better model closes.
+// The gap, its noise floor, and the share of the gap that a better model closes.
 #include "rubber_suspension/gap/gap.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -55,15 +55,16 @@ TEST(Gap, OfPartsIsThatOfTheWhole) {
   const Eigen::VectorXd simulated = 0.9e6 * record.displacement;
   const auto parts = gap::partErrors({record}, {simulated});
   EXPECT_EQ(parts.size(), 10U);
-  // Tenths of 8000 samples have equal sizes, so their mean is that of all samples, up to rounding.
+  // The ten parts of 8000 samples have equal sizes, so the mean of their errors is that of all samples, up to rounding.
   EXPECT_NEAR(gap::gapOfParts(parts), gap::gapOfResidual(record.force - simulated, record.force_deviation), 1e-12);
 }
 
 TEST(Gap, HasTheFloorOfWhiteNoise) {
   const log::Record record = noisySine(10.0);
   const double floor = gap::whiteNoiseFloor(record, record.force - 1e6 * record.displacement);
-  EXPECT_NEAR(floor, 10.0 / record.force_deviation, 0.1 * floor);  // the median of some hundred averaged spectral lines
-  // Noise in the model does not raise the floor above that of the measured force.
+  EXPECT_NEAR(floor, 10.0 / record.force_deviation,
+              0.1 * floor);  // from the median of some 100 averaged spectral lines
+  // Noise in the model must not raise the noise floor above the noise of the measured force.
   Eigen::VectorXd noisier = record.force - 1e6 * record.displacement;
   noisier *= 5.0;
   EXPECT_LT(gap::whiteNoiseFloor(record, noisier), 1.1 * floor);

@@ -1,5 +1,5 @@
-// The rating of ISO/TS 18571, compared with values computed by hand and by a plain numpy program that tries every shift
-// and fills every cell of the warping.
+// The rating of ISO/TS 18571 agrees with values computed by hand, and by a simple numpy program that tries every shift
+// and fills every cell of the warping matrix.
 #include "rubber_suspension/gap/iso18571.h"
 
 #include "support/test.h"
@@ -27,19 +27,19 @@ void expectRating(const Iso18571& rating, double corridor, double phase, double 
   EXPECT_NEAR(rating.total, 0.4 * corridor + 0.2 * (phase + magnitude + slope), tolerance);
 }
 
-// One of five samples differs from 4 by 1: ((2 - 1)/1.8)^2 of the corridor, 1 of 8 in magnitude. The differences are 2,
-// 2, 0, -2, -2 and 2, 1.5, 0, -1.5, -2, their means over 1, 3, 5, 3, 1: 2, 4/3, 0, -4/3, -2 and 2, 7/6, 0, -7/6, -2.
+// One of five samples is 3 instead of 4: ((2 - 1)/1.8)^2 for the corridor, 1/8 for the magnitude. The differences are
+// 2, 2, 0, -2, -2 and 2, 1.5, 0, -1.5, -2, their means over 1, 3, 5, 3, 1: 2, 4/3, 0, -4/3, -2 and 2, 7/6, 0, -7/6, -2.
 TEST(Iso18571, OfFiveSamplesByHand) {
   const Iso18571 rating = gap::rateIso18571(signal({0, 2, 4, 2, 0}), signal({0, 2, 3, 2, 0}));
   expectRating(rating, (4.0 + std::pow(1.0 / 1.8, 2)) / 5.0, 1.0, 1.0 - 0.125 / 0.5,
                1.0 - (1.0 / 3.0) / (20.0 / 3.0) / 2.0, 1e-12);
 }
 
-// The delay is one sample of two that are allowed; the signals are equal after the shift.
+// The delay is one sample, and two samples are allowed. After the shift the signals are equal.
 TEST(Iso18571, OfADelayByHand) {
   const Iso18571 rating =
       gap::rateIso18571(signal({0, 1, 4, 3, 1, 0, -1, 0, 0, 0}), signal({0, 0, 1, 4, 3, 1, 0, -1, 0, 0}));
-  const double one_off = std::pow(1.0 / 1.8, 2);  // five samples are 1 off; one is 2 off, at the edge, and one 3
+  const double one_off = std::pow(1.0 / 1.8, 2);  // five samples are off by 1, one at the edge by 2, one by 3
   expectRating(rating, (3.0 + 5.0 * one_off) / 10.0, 0.5, 1.0, 1.0, 1e-12);
 }
 
@@ -74,8 +74,8 @@ TEST(Iso18571, OfEqualAndOfHopelessSignals) {
   EXPECT_EQ(gap::iso18571Grade(0.95) + gap::iso18571Grade(0.6) + gap::iso18571Grade(0.5), "excellentfairpoor");
 }
 
-// A value of 1e200 among ordinary ones, and signals whose squares overflow or vanish, have a rating that does not
-// depend on the unit.
+// The rating does not depend on the unit, even if one value is 1e200, or if the squares of the values overflow or
+// vanish.
 TEST(Iso18571, OfNumbersWhoseSquaresOverflow) {
   const Eigen::VectorXd test = signal(50, [](double k) { return std::sin(0.1 * k) * std::exp(-k / 30.0); });
   Eigen::VectorXd burst = test;
@@ -89,7 +89,7 @@ TEST(Iso18571, OfNumbersWhoseSquaresOverflow) {
   }
 }
 
-// A sine and a sequence of sines of several frequencies repeat; a sweep and a pulse do not.
+// A sine, and sines of several frequencies one after the other, repeat themselves. A sweep and a pulse do not.
 TEST(Iso18571, SeesWhatRepeatsItself) {
   const auto repeats = [](const Eigen::VectorXd& test) { return gap::rateIso18571(test, test).repeats; };
   EXPECT_TRUE(repeats(signal(1000, [](double k) { return std::sin(0.05 * k); })));
@@ -98,7 +98,7 @@ TEST(Iso18571, SeesWhatRepeatsItself) {
   EXPECT_FALSE(repeats(signal(1000, [](double k) { return std::exp(-std::pow((k - 400) / 50, 2)); })));
 }
 
-// A log of minutes is rated in blocks, with nearly the magnitude of the whole because the error is uniform.
+// A log of minutes is rated in blocks. The error is uniform, so the magnitude is nearly that of the whole log.
 TEST(Iso18571, OfALongLog) {
   const auto law = [](double k) { return std::sin(1e-2 * k) + 0.7 * std::sin(3.1e-3 * k) + std::sin(7.7e-4 * k); };
   const auto model = [&](double k) { return 0.9 * law(k) + 0.05 * std::sin(0.11 * k); };

@@ -1,4 +1,4 @@
-// A log that is simulated in pieces, as large logs are read, has the same forces as in one call.
+// Simulating a log in pieces, as large logs are read, gives the same forces as a single call.
 #include "gap/log_driver.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ log::Log recordedLog() {
   return log;
 }
 
-// Simulates a record in pieces of up to `most` samples; `before` determines the initial state.
+// Simulates a record in pieces of at most `most` samples. `before` determines the initial state.
 Eigen::VectorXd driven(gap::LogDriver& driver, const log::Record& record, Eigen::Index most, gap::Before before) {
   Eigen::VectorXd force(record.size());
   driver.begin(before, &record.lead_in);
@@ -55,7 +55,7 @@ TEST(LogDriver, HasTheSameForcesPieceByPiece) {
   }
 }
 
-// The node and `replay` bridge a gap in time in the same way.
+// The driver bridges a time gap in the same way as the node and `replay`.
 TEST(LogDriver, TakesATimeGapInOneStep) {
   const component::Component component({spring(3e6), maxwell(1.2e6, 2.0)});
   const std::vector<double> z = {0.0, 1e-3, 2e-3, 5e-4};

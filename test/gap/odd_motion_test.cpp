@@ -23,14 +23,14 @@ io::ComponentDescription withFriction() {
 }
 
 TEST(OddMotion, ByTheStiffnessOfTheLog) {
-  // 1.9 mm read as 1.9 m is a thousand times too soft for 3e6 N/m, as are kilonewtons read as newtons.
+  // If 1.9 mm are read as 1.9 m, or kilonewtons as newtons, the log is a thousand times too soft for 3e6 N/m.
   EXPECT_THAT(gap::oddMotion(sine(1.9, kStiffness / 1000.0), kPlain).value_or(""),
               HasSubstr("1e+03 times softer than the component"));
   EXPECT_THAT(gap::oddMotion(sine(1.9e-6, kStiffness * 1000.0), kPlain).value_or(""), HasSubstr("times stiffer"));
-  for (const double factor : {0.05, 1.0, 20.0}) {  // another component, not another unit
+  for (const double factor : {0.05, 1.0, 20.0}) {  // suggests another component, not another unit
     EXPECT_FALSE(gap::oddMotion(sine(2e-3, factor * kStiffness), kPlain)) << factor;
   }
-  // A long stroke with a force that agrees with it is no error of units.
+  // A long stroke with a force that fits the component is no error of units.
   EXPECT_FALSE(gap::oddMotion(sine(1.0, kStiffness), withFriction()));
 }
 

@@ -1,4 +1,4 @@
-// Offline simulation of a log: forces equal to those of a stream, the gap, the summary and the figure.
+// Simulation of a log: forces equal those of a stream. Also tests the gap, the summary and the figure.
 #include "rubber_suspension/gap/replay.h"
 
 #include "io/progress.h"
@@ -28,7 +28,7 @@ TEST(SimulateLog, RefusesABadLogAndNamesTheSampleWhoseForceIsNotFinite) {
   log.stamp[5] = log.stamp[4];
   EXPECT_THROW(gap::simulateLog(kComponent, log), log::LogError);
   log = sineLog(3);
-  log.displacement[2] = 1e305;  // times 3e6 N/m overflows a double
+  log.displacement[2] = 1e305;  // the force of 3e6 N/m overflows a double
   EXPECT_THAT(messageOf<log::LogError>([&] { gap::simulateLog(kComponent, log); }),
               HasSubstr("sine: sample 3: displacement 1e+305 m"));
 }
@@ -57,8 +57,8 @@ TEST(Summary, HasTheGapOnlyWithAMeasuredForce) {
               HasSubstr("gap to the measured force 0.0000 without an offset of 12.5 N"));
 }
 
-// A long log of many cycles would fill the axes, so the figure shows the last cycles, their residual, and the smallest
-// and largest residual over the whole log.
+// Many cycles would fill the axes of the figure. It shows the last cycles and their residual, and the smallest and
+// largest residual over the whole log.
 TEST(ReplayFigure, ShowsTheLastCyclesAndTheWholeLogsResidual) {
   log::Log log = sineLog(120001);
   log.force.assign(log.size(), 1.0);
@@ -90,7 +90,7 @@ TEST(ReplayFigure, ShowsAllOfAShortLog) {
   EXPECT_EQ(figure.axes[1].curves[0].x.size(), 10u);
 }
 
-// The figure has a row for each direction that moves or carries a load; moments are in N m over degrees.
+// The figure has a row for each direction that moves or carries a load. Moments are in N m, rotations in degrees.
 TEST(ReplayFigure, ShowsTheDirectionsOfABush) {
   log::PoseLog log;
   std::array<std::vector<double>, 6> wrench;

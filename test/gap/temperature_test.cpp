@@ -1,4 +1,4 @@
-// The temperature of a log in its replay: for each sample, without a column, and where the shift does not hold.
+// The temperature in the simulation of a log: per sample, without a column, and out of the range of the shift.
 #include "gap/simulate.h"
 #include "rubber_suspension/gap/replay.h"
 #include "support/kit.h"
@@ -11,7 +11,7 @@ const Entries kElements = {spring(3e6), maxwell(1.2e6, 2.0),
 
 const Entries kUnshifted(kElements.begin(), kElements.begin() + 2);
 
-// More samples than one portion of the replay.
+// Returns more samples than `replay` processes at a time.
 log::Log warmingLog() {
   log::Log log = logOf(
       "warming", 6000, 2000000, [](int i) { return 1e-3 * std::sin(0.05 * i) + 2e-4 * std::sin(0.4 * i); },
@@ -53,7 +53,7 @@ TEST(ReplayWithTemperature, RefusesWhereTheShiftDoesNotHold) {
   }
 }
 
-// The diagnosis simulates the forces of `replay`, up to the rounding of the time step.
+// The diagnosis computes the forces of `replay`, up to the rounding of the time step.
 TEST(ReplayWithTemperature, RecordsFollowItToo) {
   const log::Log log = warmingLog();
   const std::vector<double> replayed = gap::simulateLog(component::Component(kElements), log);
@@ -68,7 +68,7 @@ TEST(ReplayWithTemperature, RecordsFollowItToo) {
   EXPECT_EQ(both[1], plain[1]) << "a record without a temperature is at the reference";
 }
 
-// Motion before the log, from which the part of the rig may be computed, is at the log's first temperature.
+// Motion before the log may determine the part of the rig. It is simulated at the first temperature of the log.
 TEST(ReplayWithTemperature, AMotionBeforeTheLogHasItsFirstTemperature) {
   log::Record record = log::makeRecord(warmingLog());
   log::Record longer = record;
@@ -76,7 +76,7 @@ TEST(ReplayWithTemperature, AMotionBeforeTheLogHasItsFirstTemperature) {
   longer.displacement = Eigen::VectorXd::Constant(record.size() + kBefore, record.displacement[0]);
   longer.displacement.tail(record.size()) = record.displacement;
   const Eigen::VectorXd force = gap::simulate(kElements, {record}).front();
-  // The component rests before the log, so the forces are equal up to the rounding of other steps.
+  // The component rests before the log, so the forces are equal up to rounding, which other steps change.
   EXPECT_LE((gap::simulate(kElements, {longer}).front().tail(record.size()) - force).cwiseAbs().maxCoeff(), 1e-9 * 3e3);
 }
 

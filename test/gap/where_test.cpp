@@ -1,4 +1,4 @@
-// The map of the gap: cells of known errors, and no built-in scale of time.
+// The map of the gap: cells of known errors, and no built-in time scale.
 #include "rubber_suspension/gap/where.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -11,8 +11,8 @@ namespace {
 constexpr Eigen::Index kSize = 16384;
 constexpr double kStiffness = 1e6;
 
-// A sine of 3 cycles in 1000 samples, then one of 9 cycles with a tenth of the amplitude. The mean frequency is that of
-// the first, which has nearly all of the motion.
+// Returns a sine with 3 cycles in 1000 samples, then one with 9 cycles and a tenth of the amplitude. The first sine has
+// nearly all of the motion, and so determines the mean frequency.
 log::Record twoSines(double dt) {
   log::Record record;
   record.name = "sines";

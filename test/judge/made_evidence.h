@@ -1,4 +1,4 @@
-// Artificial evidence: residuals of hypotheses per log, drawn or given.
+// Artificial evidence: the residuals of hypotheses in each log, drawn or given.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace rubber_suspension::test {
 
-/// Squares are in units of the variance of the force, equal in all logs if one value is given.
-constexpr double kFloor = 0.003;  // as a gap
+/// Squares are in units of the variance of the force. A single value applies to all logs.
+constexpr double kFloor = 0.003;  // noise floor as a gap
 
 inline diagnosis::judge::HypothesisEvidence fitted(std::vector<int> members, std::vector<double> log_errors,
                                                    std::vector<std::vector<double>> sizes) {
@@ -24,7 +24,7 @@ inline diagnosis::judge::HypothesisEvidence fitted(std::vector<int> members, std
 }
 
 /// Returns evidence of a model with a gap of `left` in each log, and of effects that reduce no residual and add no
-/// force. Names of effects are unknown to the fitted numbers. The first log has all blocks.
+/// force. The fitted numbers do not know these effects. The first log has all blocks.
 inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, double left, std::size_t blocks = 50) {
   diagnosis::judge::Evidence evidence;
   evidence.logs.assign(logs, {kFloor, 0.1, 1.0, false, 0});
@@ -41,7 +41,7 @@ inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, dou
   return evidence;
 }
 
-/// Sets the gap of a single effect to `left`; the square that it removes is that of its force.
+/// Sets the gap of a single effect to `left`. The square by which the residual falls is the square of its force.
 inline void explain(diagnosis::judge::Evidence& evidence, int effect, double left) {
   diagnosis::judge::HypothesisEvidence& single =
       evidence.hypotheses[static_cast<std::size_t>(diagnosis::judge::Evidence::kFirstSingle + effect)];

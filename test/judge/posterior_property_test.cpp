@@ -1,4 +1,4 @@
-// Properties of the posterior that hold for any evidence, which RapidCheck draws. Needs RapidCheck.
+// Properties of the posterior that hold for any evidence. RapidCheck draws the evidence.
 #include <rapidcheck/gtest.h>
 
 #include <numeric>
@@ -17,10 +17,10 @@ using diagnosis::judge::HypothesisEvidence;
 using diagnosis::judge::SetPosterior;
 using diagnosis::judge::SetProbability;
 
-// Every run draws the same evidence, unless the environment sets RC_PARAMS.
+// Every run draws the same evidence, unless the environment variable RC_PARAMS is set.
 const bool kSeeded = setenv("RC_PARAMS", "seed=20261126", 0) == 0;
 
-// Gaps are multiples of 0.1 %, which makes counterexamples short.
+// Draws a gap as a multiple of 0.1 %, so that counterexamples are short.
 double anyGap(int least, int most) { return 0.001 * *rc::gen::inRange(least, most); }
 
 std::vector<double> anySquares(std::size_t logs) {
@@ -31,7 +31,7 @@ std::vector<double> anySquares(std::size_t logs) {
   return squares;
 }
 
-// All singles and some pairs, with any residuals and forces.
+// Draws evidence of all single effects and some pairs, with any residuals and forces.
 Evidence anyEvidence() {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(1, 7));
   const int effects = *rc::gen::inRange(1, 6);
@@ -69,7 +69,7 @@ RC_GTEST_PROP(AnyEvidence, HasProbabilitiesThatAddUpToOne, ()) {
   }
 }
 
-// The confounded sets are the fewest that have 90 % of the probability, and the most probable one is among them.
+// The confounded sets are the smallest list with 90 % of the probability, and contain the most probable set.
 RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
   const Evidence evidence = anyEvidence();
   const SetPosterior posterior = toldByHalving(posteriorOf(evidence));
@@ -92,7 +92,7 @@ RC_GTEST_PROP(AnyEvidence, ListsTheFewestSets, ()) {
   RC_ASSERT(effects == answer.confounded.front());
 }
 
-// The answer is the most probable of its kind, followed by the alternatives in order of probability.
+// The answer is the most probable explanation of its kind. The alternatives follow in the order of probability.
 RC_GTEST_PROP(AnyEvidence, ListsAlternativesByProbability, ()) {
   const Evidence evidence = anyEvidence();
   const Answer answer = diagnosis::judge::answer(evidence);
@@ -126,7 +126,7 @@ RC_GTEST_PROP(AnyEvidence, SaysTheSameInAnyOrderOfItsLogs, ()) {
   }
 }
 
-// Only the ratios of the weights of logs matter.
+// Only the ratios of the weights of the logs matter.
 RC_GTEST_PROP(AnyEvidence, SaysTheSameAtAnyScaleOfTheWeights, ()) {
   Evidence evidence = anyEvidence();
   const SetPosterior before = posteriorOf(evidence);
@@ -139,7 +139,7 @@ RC_GTEST_PROP(AnyEvidence, SaysTheSameAtAnyScaleOfTheWeights, ()) {
   RC_ASSERT(std::abs(before.none - after.none) < 1e-9);
 }
 
-// A hypothesis that cannot be simulated on one log is not the answer, however well it fits the others.
+// A hypothesis that cannot be simulated on one log is not the answer, however well it fits the other logs.
 RC_GTEST_PROP(AnyEvidence, NeverNamesWhatCannotBeSimulated, ()) {
   Evidence evidence = anyEvidence();
   HypothesisEvidence& first = evidence.hypotheses[Evidence::kFirstSingle];
@@ -147,7 +147,7 @@ RC_GTEST_PROP(AnyEvidence, NeverNamesWhatCannotBeSimulated, ()) {
   RC_ASSERT(probabilityOf(posteriorOf(evidence), {0}) == 0.0);
 }
 
-// If the verdict is unknown, no fitted set halves the residual force.
+// If the verdict is `unknown`, no fitted set of effects halves the residual force.
 RC_GTEST_PROP(AnyEvidence, IsUnknownOnlyWhereNoSetHalvesIt, ()) {
   const Evidence evidence = anyEvidence();
   RC_PRE(diagnosis::judge::answer(evidence).verdict == Verdict::unknown);
@@ -160,7 +160,7 @@ RC_GTEST_PROP(AnyEvidence, IsUnknownOnlyWhereNoSetHalvesIt, ()) {
   }
 }
 
-// An additional effect that the logs cannot show, such as one of a temperature that they lack, changes nothing.
+// An additional effect that the logs cannot show, such as one of a missing temperature, changes nothing.
 RC_GTEST_PROP(AnEffectThatDoesNotApply, ChangesNothing, ()) {
   Evidence evidence = anyEvidence();
   const SetPosterior before = posteriorOf(evidence);
@@ -189,7 +189,7 @@ RC_GTEST_PROP(AnEffectThatRemovesNothing, IsNeverNamed, ()) {
   RC_ASSERT(!namesEffects(diagnosis::judge::answer(evidence).verdict));
 }
 
-// Of two similar effects the one with the smaller residual becomes more probable with more blocks.
+// With more blocks, the effect with the smaller residual of two similar effects becomes more probable.
 RC_GTEST_PROP(MoreData, IsSurer, ()) {
   const double left = anyGap(60, 400);
   const double better = *rc::gen::inRange(10, 60) * 0.01 * left;
@@ -215,7 +215,7 @@ RC_GTEST_PROP(AnEffectThatExplainsTheGap, IsNamed, ()) {
   RC_ASSERT(answer.effects == std::vector<int>{1});
 }
 
-// A law that contains another one of equal residual and force loses only by the cost of its further numbers.
+// If two laws have equal residual and force, the one that contains the other loses only by the cost of its parameters.
 RC_GTEST_PROP(ALawBeyondAnother, LosesByItsCostAlone, ()) {
   const auto blocks = static_cast<std::size_t>(*rc::gen::inRange(10, 300));
   const double left = anyGap(3, 100);
@@ -231,14 +231,14 @@ RC_GTEST_PROP(ALawBeyondAnother, LosesByItsCostAlone, ()) {
   RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
 }
 
-// Of two laws with equal residual and force, one that contains two others has the prior of two effects.
+// If two laws have equal residual and force, the one that contains two others has the prior of two effects.
 RC_GTEST_PROP(ALawThatContainsTwo, HasThePriorOfTwo, ()) {
   const double left = anyGap(3, 100);
   Evidence evidence = unexplained(5, 2, anyGap(100, 400));
   explain(evidence, 0, left);
   explain(evidence, 1, left);
   evidence.effects[1] = "rate_amplitude_coupling";
-  evidence.contains[1] = {2, 3};  // which are in no hypothesis
+  evidence.contains[1] = {2, 3};  // no hypothesis has these two
   const SetPosterior posterior = posteriorOf(evidence);
   const auto& numbers = diagnosis::judge::fittedNumbers();
   const double cost = diagnosis::judge::priorOfCount(1, numbers) - diagnosis::judge::priorOfCount(2, numbers) -
@@ -247,7 +247,7 @@ RC_GTEST_PROP(ALawThatContainsTwo, HasThePriorOfTwo, ()) {
   RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
 }
 
-// A residual force in one octave does not hide what an effect removes in the others.
+// A residual force in one octave does not hide what an effect explains in the other octaves.
 RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
   const auto logs = static_cast<std::size_t>(*rc::gen::inRange(2, 7));
   const double removed = anyGap(90, 200);  // well above the size of improbable effects
@@ -267,7 +267,7 @@ RC_GTEST_PROP(AListedEffectBesideARestInAnotherOctave, KeepsItsName, ()) {
   RC_ASSERT(answer.effects == std::vector<int>{0});
 }
 
-// The effect has twice the force of an unlisted one, and so four fifths of the square of the gap.
+// The effect has twice the force of an unlisted effect, and so explains four fifths of the square of the gap.
 RC_GTEST_PROP(AListedEffectBesideAnUnlistedOne, KeepsItsName, ()) {
   const double left = anyGap(150, 400);
   Evidence evidence = unexplained(5, *rc::gen::inRange(2, 20), left);

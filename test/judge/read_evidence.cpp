@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kEvidenceSchema = "rubber_suspension/evidence/11";
 
-// JSON has no infinity: the residual of a hypothesis that cannot be simulated is null.
+// JSON has no infinity, so the residual of a hypothesis that cannot be simulated is null.
 double numberOf(const ordered_json& value) {
   return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
 }

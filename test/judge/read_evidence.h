@@ -7,7 +7,7 @@
 
 namespace rubber_suspension::diagnosis {
 
-/// Reads evidence as toJson() writes it. Throws std::invalid_argument for other text and for older schemas.
+/// Parses evidence as toJson() writes it. Throws std::invalid_argument for other text and for older schemas.
 judge::Evidence parseEvidence(const std::string& text);
 
 }  // namespace rubber_suspension::diagnosis

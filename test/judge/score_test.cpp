@@ -1,4 +1,4 @@
-// The scores of evidence, and the evidence that is refused.
+// The scores of evidence, and evidence that is refused.
 #include "diagnosis/judge/score.h"
 
 #include "diagnosis/judge/answer.h"
@@ -36,7 +36,7 @@ TEST(ScoreTable, HasNoFloorAboveWhatAHypothesisLeaves) {
   EXPECT_DOUBLE_EQ(table.left(Evidence::kFirstSingle, 0), 0.015 * 0.015 - 0.004 * 0.004);
 }
 
-// With one log, the weights are computed by hand from the equations in score.h.
+// For a single log, the weights are computed by hand from the equations in score.h.
 TEST(LogWeights, AreThoseOfTheEquations) {
   Evidence evidence = unexplained(1, 1, 0.1, 50);
   explain(evidence, 0, 0.02);
@@ -47,7 +47,7 @@ TEST(LogWeights, AreThoseOfTheEquations) {
   numbers.floor_known = 0.5;
   numbers.accepted = 0.01;
   numbers.form_error = 0.1;
-  numbers.share = 0.5;  // below that of the effect
+  numbers.share = 0.5;  // smaller than the share of the effect
   numbers.per_number_beyond = 0.4;
   numbers.rest = -2.0;
   numbers.effect = -3.0;
@@ -59,14 +59,14 @@ TEST(LogWeights, AreThoseOfTheEquations) {
               1e-9);
   EXPECT_NEAR(weights.beside[Evidence::kFirstSingle], -3.0 * (std::log(std::max(r2, s2)) + 1.0) - 2.0 + prior, 1e-9);
 
-  // The form error is smaller if a law has only one form.
+  // A law with only one form has a smaller form error.
   Evidence of_one_form = evidence;
   of_one_form.one_form = {true};
   numbers.form_error_of_one = 0.02;
   EXPECT_NEAR(expectedSquares(scoreTable(of_one_form), numbers)(Evidence::kFirstSingle, 0),
               std::pow(0.5 * kFloor, 2) + 0.01 * 0.01 + 0.02 * 0.02 * (0.1 * 0.1 - 0.02 * 0.02), 1e-12);
 
-  // A quarter of the log's force is in its second octave, and so is the whole residual.
+  // The second octave has a quarter of the log's force and all of the residual.
   evidence.logs.front().octaves = {0.75, 0.25};
   evidence.hypotheses.back().shares = {{0.0, 1.0}};
   const double in_octaves = 0.75 * std::log(s2) + 0.25 * std::log(std::max(r2 / 0.25, s2)) + 1.0;
@@ -74,7 +74,7 @@ TEST(LogWeights, AreThoseOfTheEquations) {
               1e-9);
 }
 
-// Departures from the data sheet cost by Student's t of chi^2, small effects by the logarithm of their share.
+// Departures from the sheet cost Student's t of their chi^2, small effects the logarithm of their share.
 TEST(LogWeights, CostDeparturesFromTheSheetAndSmallShares) {
   Evidence evidence = unexplained(1, 1, 0.1, 50);
   explain(evidence, 0, 0.02);
@@ -94,7 +94,7 @@ TEST(LogWeights, CostDeparturesFromTheSheetAndSmallShares) {
   EXPECT_NEAR(alone(), large - 0.5 * std::pow(std::log(0.01 / usual) / numbers.share_spread, 2), 1e-6);
 }
 
-// A guess is never right as configured, whatever its residual; the verdict is a parameter error instead.
+// The values of a guess are never confirmed, whatever their residual. The verdict is a parameter error instead.
 TEST(LogWeights, NeverTakeAGuessAsConfigured) {
   Evidence evidence = unexplained(2, 1, 0.004);
   evidence.hypotheses.front().log_errors = evidence.hypotheses[Evidence::kReEstimated].log_errors;
@@ -103,7 +103,7 @@ TEST(LogWeights, NeverTakeAGuessAsConfigured) {
   EXPECT_EQ(diagnosis::judge::answer(evidence).verdict, diagnosis::Verdict::parameter_error);
 }
 
-// A file of evidence contains all inputs of the judgement, even infinite residuals.
+// A file of evidence contains all inputs of the judgement, including infinite residuals.
 TEST(EvidenceJson, IsReadAsItWasWritten) {
   Evidence evidence = unexplained(3, 2, 0.1);
   explain(evidence, 1, 0.01);
@@ -123,8 +123,8 @@ TEST(EvidenceJson, IsReadAsItWasWritten) {
   }
 }
 
-// No log distinguishes a gain of 6 % on all logs from values that are all off by 6 %, so both are reported. Values off
-// by different factors, and a residual that no gain explains, are not attributed to a gain.
+// Logs cannot distinguish a gain of 6 % in all logs from values that are all off by 6 %, so both are reported. No gain
+// is reported if values are off by different factors, or if a gain does not explain the residual.
 TEST(Answer, TellsAGainOfAllLogsBesideWrongValues) {
   Evidence evidence = unexplained(2, 1, kFloor);
   const std::vector<double> gap(2, 0.06 * 0.06);
@@ -142,7 +142,7 @@ TEST(Answer, TellsAGainOfAllLogsBesideWrongValues) {
   EXPECT_EQ(leave(0.05, 0.05).verdict, diagnosis::Verdict::unknown);
 }
 
-// A law that hardly improves on one that it contains is not named; if it improves as much as an effect does, it is.
+// A law that contains another is named only if it reduces the residual of that other law as much as an effect does.
 TEST(Answer, NamesALawThatContainsAnotherForWhatItRemovesBeyond) {
   Evidence evidence = unexplained(3, 2, 0.1);
   evidence.effects = {"friction", "backlash"};
@@ -159,12 +159,12 @@ TEST(Answer, NamesALawThatContainsAnotherForWhatItRemovesBeyond) {
   EXPECT_EQ(leave(0.06, 0.01).effects, std::vector<int>{1});
 
   evidence.effects = {"friction", "relaxation"};
-  evidence.contains[1].clear();  // neither contains the other
+  evidence.contains[1].clear();  // neither effect contains the other
   EXPECT_GT(leave(0.0101, 0.01).candidates[1], 0.05);
 }
 
-// An excluded effect has no probability, however well it explains the logs. Its share goes to the others and to a
-// residual force without a listed cause.
+// An excluded effect has no probability, however well it explains the logs. Its share goes to the other effects, and to
+// a residual force without a listed cause.
 TEST(Answer, NamesNothingThatIsExcluded) {
   Evidence evidence = unexplained(3, 2, 0.1);
   explain(evidence, 0, kFloor);
@@ -178,9 +178,9 @@ TEST(Answer, NamesNothingThatIsExcluded) {
   EXPECT_EQ(diagnosis::judge::answer(evidence).verdict, diagnosis::Verdict::unknown);
 }
 
-// The effect moves a value far from the data sheet and has most of the force, as friction that replaces a dashpot. A
-// residual force without a listed cause is more probable, but an effect that halves the residual is reported beside it,
-// and three that do so equally are reported as confounded.
+// The effect moves a value far from the data sheet and has most of the force, such as friction in place of a dashpot. A
+// residual force without a listed cause is more probable. An effect that halves the residual is reported beside it, and
+// three effects that do so equally are reported as confounded.
 TEST(Answer, TellsAnEffectThatHalvesTheRestBesideIt) {
   Evidence evidence = unexplained(1, 3, 0.25, 8);
   const double before = 0.25 * 0.25;
@@ -213,7 +213,7 @@ TEST(Answer, TellsAnEffectThatHalvesTheRestBesideIt) {
   EXPECT_EQ(diagnosis::judge::answer(evidence).verdict, diagnosis::Verdict::unknown);
 }
 
-// Held-out logs count as logs: a law that fails on them is not the answer.
+// Held-out logs count as logs, so a law that fails on them is not the answer.
 TEST(LogWeights, CountUnseenLogs) {
   Evidence evidence = unexplained(4, 1, 0.1);
   explain(evidence, 0, 0.004);
@@ -227,7 +227,7 @@ TEST(LogWeights, CountUnseenLogs) {
 TEST(JudgeNumbers, AreEachInTheTableOnce) {
   JudgeNumbers numbers;
   for (const diagnosis::judge::NumberInfo& info : diagnosis::judge::numberTable()) {
-    EXPECT_EQ(numbers.*info.value, info.mean) << info.name;  // default before any fit
+    EXPECT_EQ(numbers.*info.value, info.mean) << info.name;  // default value before any fit
     numbers.*info.value = -1e9;
   }
   for (const diagnosis::judge::NumberInfo& info : diagnosis::judge::numberTable()) {

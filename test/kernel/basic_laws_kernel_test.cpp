@@ -1,4 +1,4 @@
-// The kernel of springs, dashpots, Maxwell elements and Berg friction has the same bits as the laws one by one.
+// The kernel of springs, dashpots, Maxwell elements and Berg friction gives the same bits as the separate laws.
 #include "rubber_suspension/kernel/basic_laws_kernel.h"
 
 #include "kernel/laws_one_by_one.h"
@@ -17,7 +17,7 @@ void expectSame(const element::ComponentForce& one, const element::ComponentForc
   ASSERT_EQ(one.friction, other.friction);
 }
 
-/// The laws and their kernel, moved along the same path.
+/// Separate laws and their kernel, moved along the same path.
 class Pair {
  public:
   explicit Pair(std::mt19937& random) : laws_(random, 3), path_(random), kernel_(laws_.numbers()) {
@@ -94,13 +94,13 @@ TEST_P(BasicLawsKernel, HasTheBitsOfItsLawsOverLogs) {
     Pair pair(random);
     for (int i = 0; i < 6 && !HasFatalFailure(); ++i) {
       pair.step();
-      pair.simulate(random() % (i % 2 == 0 ? 70 : 1500));  // around blocks of 32, and around their portions of 512
+      pair.simulate(random() % (i % 2 == 0 ? 70 : 1500));  // lengths around blocks of 32 and around portions of 512
     }
   }
 }
 
-// Forces of trial steps, with which the balance in series is solved. The linear part is summed in another order, so it
-// may differ by some roundings of its largest term.
+// The solver for components in series uses these forces of trial steps. The linear part is summed in another order, so
+// it may differ by some roundings of its largest term.
 TEST_P(BasicLawsKernel, SplitsTheForceIntoALinearPartAndFriction) {
   std::mt19937 random(3);
   for (int trial = 0; trial < 200; ++trial) {
@@ -133,7 +133,7 @@ TEST_P(BasicLawsKernel, BalancesInClosedForm) {
   std::array<double, element::BergFriction::kMemorySize> memory{};
   kernel.initialise(0.0, memory.data());
   kernel.step(1e-3, 1e-3, 1e-3, memory.data(), prepared);
-  // Continuing along the branch has a closed form; reversing has none, because it begins another branch.
+  // Continuing along the branch has a closed form. A reversal begins another branch, so the kernel returns no solution.
   const auto on = kernel.balance(kSlope, -3e-3, kCompliance, memory.data());
   ASSERT_TRUE(on);
   EXPECT_NEAR(kSlope * *on - 3e-3 + kCompliance * kernel.frictionAt(*on, memory.data()), 0.0, 1e-17);

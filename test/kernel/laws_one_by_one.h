@@ -1,4 +1,4 @@
-// Basic laws with random parameters, each stepped by itself through the common interface of laws, and random paths.
+// Basic laws with random parameters, stepped separately through the common interface of laws, and random paths.
 #pragma once
 
 #include "element/driver.h"
@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::test {
 
-/// A spring, at most one dashpot, up to 20 Maxwell elements (more than two blocks of eight), and some friction.
+/// A spring, at most one dashpot, up to 20 Maxwell elements (more than two blocks of 8), and some friction elements.
 class LawsOneByOne {
  public:
   LawsOneByOne(std::mt19937& random, unsigned most_frictions) {
@@ -60,7 +60,7 @@ class LawsOneByOne {
     element::ComponentForce force;
     double* memory = memory_.data();
     for (std::size_t i = 0; i < laws_.size(); ++i) {
-      // The kernel multiplies the gain c/dt by the increment, which may differ from c times the rate in the last bit.
+      // The kernel multiplies the gain c/dt by the increment. This may differ in the last bit from c times the rate.
       const bool is_gain = motion != nullptr && entries_[i].type == "dashpot";
       const double own =
           is_gain ? entries_[i].value("damping") / motion->dt * motion->increment : action(*laws_[i], memory);
@@ -78,8 +78,8 @@ class LawsOneByOne {
   std::vector<double> memory_;
 };
 
-/// A path that moves on, reverses, rests and jitters. Steps range from short to far beyond all relaxation times, and
-/// are often equal.
+/// A path that continues, reverses, rests and jitters. Time steps range from short ones to far more than all relaxation
+/// times, and are often equal.
 class RandomPath {
  public:
   explicit RandomPath(std::mt19937& random) : random_(random) {}

@@ -1,4 +1,4 @@
-// Maxwell elements in vectors have the same bits as the law one by one, on any processor.
+// Maxwell elements in vectors give the same bits as the separate laws, on any processor.
 #include "kernel/maxwell_forces.h"
 
 #include "rubber_suspension/element/maxwell.h"

@@ -1,4 +1,4 @@
-// Checks of many samples at once find a sample that violates the rule at any place.
+// Checking many samples at once finds a sample that violates the rule at any position.
 #include "kernel/sample_checks.h"
 
 #include "support/on_any_processor.h"

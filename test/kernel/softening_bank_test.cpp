@@ -1,4 +1,4 @@
-// Stress softening by several laws at once agrees with the laws one by one.
+// Simulating several laws of stress softening at once agrees with the separate laws.
 #include "kernel/softening_bank.h"
 
 #include "rubber_suspension/element/catalogue.h"
@@ -30,7 +30,7 @@ element::ElementDescription randomLaw(std::mt19937& random) {
   return element::complete(law);
 }
 
-// Computes the product of the factors over a random walk with rests, by the bank and by its laws.
+// Computes the product of the factors over a random walk with rests, with the bank and with its laws.
 void walk(unsigned seed, std::vector<double>& by_bank, std::vector<double>& by_laws) {
   std::mt19937 random(seed);
   kernel::SofteningBank bank;

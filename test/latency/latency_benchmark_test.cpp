@@ -1,4 +1,4 @@
-// Evaluation of the runs of the benchmark: quantiles of round trips, medians of ratios, the table.
+// Evaluation of the runs of the benchmark: quantiles of round-trip times, medians of ratios, the table.
 #include "benchmark/latency/latency_benchmark.h"
 
 #include <unistd.h>

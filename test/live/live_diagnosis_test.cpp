@@ -1,4 +1,4 @@
-// The live diagnosis on simulated benches: an effect is named in time with its onset, and no effect is named in hours
+// The live diagnosis on simulated benches: an effect is named in time with its onset, and none is named in hours
 // without a gap. RUBBER_SUSPENSION_LIVE_HOURS=100 replays 100 h instead of a few minutes.
 #include "diagnosis/live/live_diagnosis.h"
 
@@ -22,12 +22,12 @@ io::ComponentDescription configured() { return {"bush", {spring(3e6), maxwell(1.
 
 io::ComponentDescription withFriction() {
   io::ComponentDescription description = configured();
-  // 350 N at typical amplitudes, 5 % of the standard deviation of 7 kN that the motion below causes.
+  // Friction of 350 N at typical amplitudes is 5 % of the standard deviation of 7 kN under the motion below.
   description.add = {friction(400.0, 0.0003)};
   return description;
 }
 
-/// Track-like motion: 40 sines from 0.3 to 8 Hz with amplitudes that fall with frequency; standard deviation 2 mm.
+/// Motion as on a track: 40 sines from 0.3 to 8 Hz. Amplitudes fall with frequency, and the standard deviation is 2 mm.
 class Track {
  public:
   explicit Track(unsigned seed) {
@@ -61,7 +61,7 @@ class Track {
   double scale_ = 1.0;
 };
 
-/// A bench with the true component on a track, white noise of 1 % and a wandering offset of the load cell.
+/// A bench with the true component on a track, white noise of 1 %, and a wandering offset of the force sensor.
 class VirtualBench {
  public:
   VirtualBench(const io::ComponentDescription& truth, unsigned seed)
@@ -98,7 +98,7 @@ void feed(LiveDiagnosis& live, const LiveSample& sample) {
 TEST(LiveDiagnosis, AnEffectThatSetsInIsNamedWithItsOnset) {
   constexpr double kOnset = 120.0;
   VirtualBench before(configured(), 5);
-  VirtualBench after(withFriction(), 5);  // with the same motion and noise
+  VirtualBench after(withFriction(), 5);  // the same motion and noise
   LiveDiagnosis live(configured());
   double named = 0.0;
   while (before.time() < kOnset + 120.0 && named == 0.0) {
@@ -125,11 +125,11 @@ TEST(LiveDiagnosis, AnEffectThatSetsInIsNamedWithItsOnset) {
   EXPECT_FALSE(found->add.empty());
 }
 
-// The measured force differs from the model only by noise and the offset of the load cell.
+// The measured force differs from the model by noise and by the offset of the force sensor only.
 TEST(LiveDiagnosis, HoursWithoutAGapBringNoName) {
   const char* asked = std::getenv("RUBBER_SUSPENSION_LIVE_HOURS");
   const double hours = asked != nullptr ? std::atof(asked) : 0.15;
-  constexpr double kStretch = 0.5;  // [h] of the same motion
+  constexpr double kStretch = 0.5;  // duration with the same motion [h]
   double done = 0.0;
   int names = 0;
   std::size_t looks = 0;
@@ -161,7 +161,7 @@ TEST(LiveDiagnosis, HoursWithoutAGapBringNoName) {
                 << names << " false names" << std::endl;
     }
   }
-  // At most one name in 100 h is accepted, and so none in a few minutes.
+  // One name in 100 h is accepted, so no name in a few minutes.
   EXPECT_LE(names, static_cast<int>(hours / 100.0));
   EXPECT_GE(looks, static_cast<std::size_t>(hours * 3600.0 / 90.0)) << "it has to have looked";
 }
@@ -174,7 +174,7 @@ TEST(LiveDiagnosis, ANewRecordingForgetsTheOldOne) {
     feed(live, sample = bench.next());
   }
   EXPECT_GE(live.looks(), 1U);
-  live.add({sample.stamp - 1000, 0.0, 0.0});  // a step back in time is dropped
+  live.add({sample.stamp - 1000, 0.0, 0.0});  // dropped, because time steps back
   EXPECT_GE(live.looks(), 1U);
   live.add({kStart, 0.0, 0.0});
   EXPECT_EQ(live.looks(), 0U);
@@ -194,7 +194,7 @@ TEST(LiveDiagnosis, ALookCanBeCancelledAndOneThatCannotBeSaysWhy) {
   }
   EXPECT_EQ(still.findings().now.verdict, std::nullopt);
   EXPECT_FALSE(still.findings().sentence.empty());
-  LiveDiagnosis tiny(configured());  // a motion of 0.1 um needs a coefficient of z^5 out of range
+  LiveDiagnosis tiny(configured());  // for a motion of 0.1 um, a coefficient of z^5 is out of range
   for (int i = 0; i < 6000; ++i) {
     const double z = std::sin(0.05 * i);
     feed(tiny, {kStart + i * 5000000LL, 1e-7 * z, 0.33 * z + 0.1 * z * z * z});

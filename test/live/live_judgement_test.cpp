@@ -1,4 +1,4 @@
-// The judgement while a bench runs: the inequality of the evidence, the onset, and the rules for names.
+// The judgement while a bench runs: the inequality of the evidence, the onset, and the rules for naming effects.
 #include "diagnosis/live/live_judgement.h"
 
 #include "support/test.h"
@@ -9,7 +9,7 @@ namespace {
 using diagnosis::live::LiveJudgement;
 using diagnosis::live::SequentialEvidence;
 
-// If every bet is fair, the worst case, at most a share n/c of the runs of n bets may reach c.
+// In the worst case, every bet is fair. Then at most a share n/c of the runs with n bets may reach an evidence of c.
 TEST(SequentialEvidence, KeepsItsInequalityWhereEveryBetIsFair) {
   constexpr int kRuns = 400;
   constexpr int kBets = 20000;
@@ -25,7 +25,7 @@ TEST(SequentialEvidence, KeepsItsInequalityWhereEveryBetIsFair) {
     }
     reached += once ? 1 : 0;
   }
-  // At the bound, 40 runs are expected, with a standard deviation of 6.
+  // If the share were at its bound, 40 runs would be expected, with a standard deviation of 6.
   EXPECT_LE(reached, 58);
   EXPECT_GE(reached, 1) << "a bound that is never approached would make a test that cannot fail";
 }
@@ -39,7 +39,7 @@ TEST(SequentialEvidence, ForgetsBetsLostBeforeTheEffect) {
   for (; !evidence.isReached(); ++needed) {
     evidence.add(true);
   }
-  // log(3.6e6)/log(1.8) = 25.7 blocks of a second, about a fifth of the two minutes within which a name is due.
+  // This takes log(3.6e6)/log(1.8) = 25.7 blocks of a second. An effect must be named within two minutes.
   EXPECT_EQ(needed, 26);
 }
 
@@ -76,7 +76,7 @@ TEST(Onset, IsNotFoundInNoise) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     found += diagnosis::live::lastChange(steps({{400, 0.0}}, 0.15, seed)) ? 1 : 0;
   }
-  // A false change only shortens the window of a look, so one in a hundred is acceptable.
+  // A false change only shortens the window of a diagnosis, so one in a hundred is acceptable.
   EXPECT_LE(found, 3);
 }
 

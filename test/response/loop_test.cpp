@@ -1,4 +1,4 @@
-// Loops: Eqs. 1 and 2, simulation against the closed form, settled loops of friction.
+// Loops: Eqs. 1 and 2, simulation compared with the closed form, and settled loops of friction.
 #include "rubber_suspension/element/berg_friction.h"
 #include "rubber_suspension/response/sweep.h"
 #include "support/kit.h"
@@ -15,20 +15,20 @@ TEST(CharacteristicsOfEllipse, IsWhatTheLoopGives) {
   EXPECT_NEAR(result.loss, element::kPi * 4.2e6 * 4e-6 * std::sin(0.1), 1e-12);
 }
 
-// The loop of a contact is simulated; it has no loss, and rounding must not cause one.
+// The loop of a contact has no loss, and rounding in the simulation must not cause one.
 TEST(SettledLoop, HasNoLossBelowRounding) {
   const component::Component contact({spring(1e6), entry("lift_off side=1 slack_stiffness=0")});
   EXPECT_EQ(response::simulateSettledLoop(contact, 1.0, 1e-3).characteristics().loss_angle, 0.0);
 }
 
-// Simulates at least 4 s. By then the transient of the slowest element of kLinear has decayed to exp(-35).
+// Simulates at least 4 s, in which the transient of the slowest element of kLinear decays to exp(-35).
 Complex simulatedStiffness(const Entries& elements, double frequency, int samples) {
   const int cycles = static_cast<int>(std::ceil(4.0 * frequency)) + 1;
   return settledStiffness(component::Component(elements), frequency, samples, cycles);
 }
 
-// The exact response of the laws to the polygon through the samples of a sine: with E = exp(i w dt), the recursion F+ =
-// e F + g (z+ - z) has F/z = g (E - 1)/(E - e); a dashpot has c (1 - 1/E)/dt.
+// Returns the exact response of the laws to straight lines through the samples of a sine. With E = exp(i w dt), the
+// recursion F+ = e F + g (z+ - z) gives F/z = g (E - 1)/(E - e). A dashpot has c (1 - 1/E)/dt.
 Complex polygonStiffness(const Entries& elements, double frequency, int samples) {
   const double dt = 1.0 / (frequency * samples);
   const Complex e = std::polar(1.0, 2.0 * element::kPi / samples);
@@ -84,8 +84,8 @@ TEST(SettledLoop, BergLoopIsThatOfItsFormula) {
 }
 
 TEST(SettledLoop, WholeComponentSettlesOnTheSameLoop) {
-  // With a mount in series, the whole component is simulated from rest. The mount is too stiff to have an effect, so
-  // the loop equals that of the parallel elements.
+  // With a mount in series, the whole component is simulated from rest. The mount is very stiff, so the loop equals
+  // that of the parallel elements.
   Entries elements = {friction(5000.0, 2.2e-3), spring(3e6)};
   const auto direct = response::simulateSettledLoop(component::Component(elements), 4.0, 2e-3).characteristics();
   elements.push_back(entry("series_compliance stiffness=1e18"));
@@ -104,7 +104,7 @@ TEST(SettledLoop, SaysWhenItHasNotSettled) {
   EXPECT_FALSE(response::characteristicsAt(component::Component(slow), 4.0, 2e-3, options).settled);
   const auto loop = response::simulateSettledLoop(component::Component(slow), 4.0, 2e-3);
   EXPECT_TRUE(loop.settled);
-  // tau = 159 s is 637 cycles; the transient takes about twenty tau to decay to 1e-9 of the force.
+  // tau = 159 s takes 637 cycles. The transient needs about twenty tau to decay to 1e-9 of the force.
   EXPECT_GT(loop.cycles, 5 * 637);
 }
 

@@ -1,4 +1,4 @@
-// At the working point, the loop of every model has the specified values, over random specifications.
+// At the working point, the loop of every model has the specified values, for random specifications.
 #include "estimation/values.h"
 #include "rubber_suspension/element/constants.h"
 #include "rubber_suspension/response/sweep.h"
@@ -27,12 +27,12 @@ void addAngle(Values& values, double largest) {
   values[as_angle ? "loss_angle" : "relative_damping"] = as_angle ? angle : 0.5 * std::tan(angle);
 }
 
-// Returns the largest loss angle at which the storage stiffness exceeds K_st.
+// Returns the largest loss angle at which the storage stiffness is larger than the static stiffness.
 double storageLimit(const Values& values) {
   return std::acos(values.at("static_stiffness") / values.at("dynamic_stiffness"));
 }
 
-// Friction has the largest loss stiffness K_n sin(delta) as Coulomb friction: 4/pi of its stiffness.
+// Returns the loss angle at the largest loss stiffness of friction: 4/pi of the stiffness of Coulomb friction.
 double frictionLimit(const Values& values) {
   const double ratio = values.at("static_stiffness") / values.at("dynamic_stiffness");
   return std::asin(std::min(0.95, 4.0 / element::kPi * (1.0 - ratio)));
@@ -79,10 +79,10 @@ double sumOfStiffnesses(const Entries& elements) {
 struct Kind {
   std::string name;
   Model model;
-  std::function<void(Values&)> complete;  // adds what the model needs to K_st, K_n and f_n
+  std::function<void(Values&)> complete;  // adds the other values that the model needs
   double accuracy;                        // relative, for stiffness, loss angle and maximum stiffness
-  std::string replaced = "";              // input that its loss angle replaces
-  int unsolved = 0;                       // percentage that may have no solution
+  std::string replaced = "";              // input that the loss angle replaces
+  int unsolved = 0;                       // percentage of specifications that may have no solution
 };
 
 constexpr double kLinear = 1e-9;
@@ -120,10 +120,10 @@ const std::vector<Kind> kKinds = {
     {"MultiMaxwell", Model::multi_maxwell, makeFiveInputs, kLinear},
     {"MultiMaxwellWithLossAngleForMaximumStiffness", Model::multi_maxwell, makeFiveInputs, kLinear,
      "maximum_stiffness"},
-    // The scan misses pairs of solutions that are closer than its step, near the lowest possible loss angle.
+    // Near the lowest possible loss angle, the scan misses pairs of solutions that are closer than its step.
     {"MultiMaxwellWithLossAngleForHighFrequency", Model::multi_maxwell, makeFiveInputs, kLinear, "high_frequency", 10}};
 
-// Specifications of rubber springs of all sizes.
+// Draws specifications of rubber springs of all sizes.
 Values anyValues() {
   const double k_st = logUniform(1e4, 1e8);
   const double k_n = k_st * uniform(1.02, 2.5);
@@ -164,7 +164,7 @@ TEST_P(WorkingPoint, IsWhatWasSpecified) {
       EXPECT_NEAR(point.characteristics.loss_angle / angleOf(values), 1.0, GetParam().accuracy);
     }
     if (given.count("maximum_stiffness") != 0) {
-      // A replaced maximum stiffness is recovered, less exactly if one element carries nearly all of it.
+      // A replaced maximum stiffness is found again, less exactly if one element has nearly all of it.
       const double accuracy = values.count("maximum_stiffness") != 0 ? GetParam().accuracy : 1e-6;
       EXPECT_NEAR(sumOfStiffnesses(elements) / given.at("maximum_stiffness"), 1.0, accuracy);
     }
@@ -172,7 +172,7 @@ TEST_P(WorkingPoint, IsWhatWasSpecified) {
   EXPECT_GE(solved, kSpecifications * (100 - GetParam().unsolved) / 100);
 }
 
-// K_n is the storage stiffness of M1 (Eq. 11), not its magnitude.
+// For M1, K_n is the storage stiffness (Eq. 11) instead of the magnitude of K*.
 TEST(WorkingPointOfKelvinVoigt, HasTheStorageStiffness) {
   generator.seed(20150801);
   for (int i = 0; i < kSpecifications; ++i) {
@@ -185,7 +185,7 @@ TEST(WorkingPointOfKelvinVoigt, HasTheStorageStiffness) {
   }
 }
 
-// K_n applies between the turning points, and the loss is that of a loop with K_n and the loss angle.
+// K_n applies between the turning points. The loss is that of a loop with K_n and the loss angle.
 TEST(WorkingPointOfFrictionDashpot, HoldsBetweenTheTurningPoints) {
   generator.seed(20150801);
   for (int i = 0; i < kSpecifications; ++i) {
@@ -202,7 +202,7 @@ TEST(WorkingPointOfFrictionDashpot, HoldsBetweenTheTurningPoints) {
   }
 }
 
-// The solution is unique, so the loss angle leads back to the elements.
+// The solution is unique, so the loss angle leads to the same elements again.
 TEST(MultiMaxwell, InputsOfTheExampleComeBackFromTheirLossAngle) {
   const Values inputs = {{"static_stiffness", 3e6},
                          {"dynamic_stiffness", 4.2e6},

@@ -1,4 +1,4 @@
-// The comparison of a bench's forces with a reference, on artificial forces.
+// The comparison of a bench's forces with a reference, for artificial forces.
 #include "ros_interface/force_check.h"
 
 #include "rubber_suspension/element/constants.h"
@@ -25,7 +25,7 @@ ros_interface::PlayResult answered(const log::Log& log, double offset) {
   return result;
 }
 
-// Returns the result of check_force for forces compared with the measured ones of the log.
+// Returns the result of check_force for forces that are compared with the measured forces of the log.
 ros_interface::TestCase checked(const log::Log& log, const ros_interface::PlayResult& result, double tolerance,
                                 double skip = 0.0) {
   const ros_interface::ForceReference reference = ros_interface::measuredReference(log);
@@ -43,7 +43,7 @@ TEST(ForceCheck, LeavesOutTheStart) {
   EXPECT_THROW(checked(log, result, 0.0, 0.999), std::invalid_argument);
 }
 
-// The last axes show the difference [kN].
+// The last axes of the figure show the difference [kN].
 TEST(ForceCheck, DrawsReferenceAndBench) {
   const log::Log log = sineLog();
   const io::Figure figure =
@@ -55,8 +55,8 @@ TEST(ForceCheck, DrawsReferenceAndBench) {
   EXPECT_NEAR(figure.axes[3].curves[0].y[500], -1e-3 * kOffset, 1e-9);
 }
 
-// A constant offset on a sine of ten periods: the RMS of the difference is the offset, and the standard deviation of
-// the reference is the amplitude over the square root of two.
+// The force has a constant offset from a sine of ten periods. So the RMS of the difference is the offset, and the
+// standard deviation of the reference is the amplitude divided by the square root of two.
 TEST(ForceCheck, PassesWithinTheToleranceAndFailsBeyond) {
   const log::Log log = sineLog();
   const double gap = kOffset / (2000.0 / std::sqrt(2.0));

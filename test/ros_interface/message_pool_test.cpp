@@ -1,4 +1,4 @@
-// The message pool reuses messages once nobody holds them, never before.
+// The message pool reuses a message only after nobody uses it any more.
 #include "ros_interface/message_pool.h"
 
 #include "support/test.h"

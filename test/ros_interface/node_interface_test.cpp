@@ -1,4 +1,4 @@
-// The page of topics in docs/ equals the output of the code. The rostest `interface` checks the table against a node.
+// The page of topics in docs/ equals the output of the code. The rostest `interface` compares the table with a node.
 #include "ros_interface/node_interface.h"
 
 #include "support/files.h"

@@ -1,4 +1,4 @@
-// Parameters as YAML text: every bit of a number, every character of a text.
+// Parameters as YAML text preserve every bit of a number and every character of a text.
 #include "ros_interface/parameter_yaml.h"
 
 #include "support/test.h"
@@ -17,7 +17,7 @@ TEST(ParameterYaml, KeepsEveryBitOfANumber) {
 }
 
 TEST(ParameterYaml, TextThatIsANumberBecomesOne) {
-  // PyYAML, which loads parameters, reads 3.0e6 (no sign in the exponent) as text.
+  // PyYAML loads the parameters, and reads 3.0e6 as text because its exponent has no sign.
   EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("3.0e6")), "3000000.0");
   EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("1.e6")), "1000000.0");
   EXPECT_EQ(ros_interface::toYamlText(XmlRpcValue("-1")), "-1");

@@ -1,4 +1,4 @@
-// A watchdog detects what blocks a serving thread, and reports it with the name of the thread.
+// A watchdog detects a callback that blocks a serving thread, and reports it with the name of the thread.
 #include "ros_interface/serving_thread.h"
 
 #include <ros/callback_queue_interface.h>
@@ -28,7 +28,7 @@ class Hold : public ros::CallbackInterface {
 
 template <class Condition>
 bool becomes(Condition condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);  // only bounds a failure
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);  // only ends a failed test
   while (!condition() && std::chrono::steady_clock::now() < end) {
     std::this_thread::yield();
   }

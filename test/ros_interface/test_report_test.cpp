@@ -1,4 +1,4 @@
-// The report of a test node has the format that rostest reads; a parser of the same kind reads it back.
+// The report of a test node has the format of rostest. The same kind of parser as in rostest reads it back.
 #include "support/test.h"
 
 #include <boost/property_tree/ptree.hpp>

@@ -1,4 +1,4 @@
-// Replaces the global operators new and delete by versions that count.
+// Replaces the global operators new and delete by operators that count.
 #include "support/allocation_counter.h"
 
 #include <atomic>
@@ -13,7 +13,7 @@ std::atomic<std::size_t> counter{0};
 
 std::size_t rubber_suspension::test::allocations() { return counter; }
 
-// Sanitizers have their own operators, so nothing is counted under them.
+// Sanitizers have operators of their own, so allocations are not counted with sanitizers.
 #if defined(__has_feature)
 #if __has_feature(thread_sanitizer) || __has_feature(address_sanitizer)
 #define RUBBER_SUSPENSION_UNCOUNTED

@@ -1,4 +1,4 @@
-// Counts the allocations of a program, including those of its libraries.
+// Counts the allocations of a program, including those in its libraries.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@ namespace rubber_suspension::test {
 /// Returns the number of allocations by operator new since the start of the program.
 std::size_t allocations();
 
-/// Counts the allocations of all threads since its construction.
+/// Counts the allocations of all threads since the counter was constructed.
 class AllocationCounter {
  public:
   std::size_t count() const { return allocations() - start_; }

@@ -26,7 +26,7 @@ inline std::vector<std::string> filesIn(const std::string& folder, const std::st
   return files;
 }
 
-/// Returns the text with the first occurrence of `part` replaced; a missing part fails the test.
+/// Returns the text with the first occurrence of `part` replaced. The test fails if the text does not contain `part`.
 inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
   const std::size_t at = text.find(part);
   EXPECT_NE(at, std::string::npos) << part;

@@ -1,4 +1,4 @@
-// Elements, components, logs and settled sines for tests.
+// Functions that make elements, components, logs and settled sines for tests.
 #pragma once
 
 #include "rubber_suspension/component/component.h"
@@ -12,7 +12,7 @@ namespace rubber_suspension {
 
 using Entries = std::vector<element::ElementDescription>;
 
-/// Parses an entry such as "iwan_table yield_displacement=1e-4,5e-4 stiffness=2e6,1e6": type, keys and values.
+/// Parses an entry of type, keys and values, such as "iwan_table yield_displacement=1e-4,5e-4 stiffness=2e6,1e6".
 inline element::ElementDescription entry(const std::string& text) {
   std::istringstream words(text);
   element::ElementDescription description;
@@ -27,7 +27,7 @@ inline element::ElementDescription entry(const std::string& text) {
   return description;
 }
 
-/// Parses an entry and adds parameters with numbers that the test computes.
+/// Parses an entry and adds parameters with values that the test computes.
 inline element::ElementDescription entry(const std::string& text,
                                          const std::vector<std::pair<std::string, double>>& more) {
   element::ElementDescription description = entry(text);
@@ -54,7 +54,7 @@ inline element::ElementDescription maxwell(double stiffness /* [N/m] */, double 
   return {"maxwell", {{"stiffness", {stiffness}}, {"break_frequency", {break_frequency}}}};
 }
 
-/// Berg's friction with a maximum force [N] and the displacement of half of it [m].
+/// Returns Berg's friction with a maximum force [N], half of which it reaches at `displacement` [m].
 inline element::ElementDescription friction(double maximum_force, double displacement) {
   return {"friction", {{"maximum_force", {maximum_force}}, {"displacement", {displacement}}}};
 }
@@ -75,9 +75,9 @@ struct WithState : component::Component {
   double relax(double displacement) { return Component::relax(state, displacement).total; }
 };
 
-/// Returns the first harmonic of the force over that of the displacement [N/m] in the last cycle of a sine of an
-/// amplitude [m] and a frequency [Hz], with `samples` per cycle. `step` returns the force [N] of a time step [s] to a
-/// displacement [m].
+/// Returns the first harmonic of the force divided by that of the displacement [N/m], in the last of `cycles` cycles of
+/// a sine with an amplitude [m] and a frequency [Hz]. `step` takes a time step [s] and a displacement [m], and returns
+/// the force [N].
 template <class Step>
 std::complex<double> settledStiffness(double frequency, int samples, int cycles, double amplitude, const Step& step) {
   std::complex<double> sum = 0.0;
@@ -102,7 +102,7 @@ inline io::ComponentDescription componentOf(const std::string& text, const std::
   return io::parseComponentFile(text, file).at(0);
 }
 
-/// Adds white noise of a standard deviation.
+/// Adds white noise with a standard deviation.
 inline void addNoise(std::vector<double>& values, double deviation, unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0.0, deviation);
@@ -111,7 +111,7 @@ inline void addNoise(std::vector<double>& values, double deviation, unsigned see
   }
 }
 
-/// Returns a log at an interval [ns] whose displacement [m] is a function of the index of the sample.
+/// Returns a log with a time step `interval` [ns]. Its displacement [m] is a function of the index of the sample.
 template <class Displacement>
 log::Log logOf(const std::string& name, int samples, std::int64_t interval, const Displacement& displacement) {
   log::Log log;
@@ -123,7 +123,7 @@ log::Log logOf(const std::string& name, int samples, std::int64_t interval, cons
   return log;
 }
 
-/// Returns such a log with a force [N], a function of the index of the sample and the displacement.
+/// Returns such a log with a force [N] that is a function of the index of the sample and the displacement.
 template <class Displacement, class Force>
 log::Log logOf(const std::string& name, int samples, std::int64_t interval, const Displacement& displacement,
                const Force& force) {
@@ -134,14 +134,14 @@ log::Log logOf(const std::string& name, int samples, std::int64_t interval, cons
   return log;
 }
 
-/// Returns a log at a rate [Hz] over a duration [s] whose displacement [m] is a function of time [s].
+/// Returns a log with a sampling rate [Hz] and a duration [s]. Its displacement [m] is a function of time [s].
 template <class Displacement>
 log::Log recorded(double rate, double duration, const Displacement& displacement) {
   return logOf("log", static_cast<int>(std::lround(duration * rate)), std::llround(1e9 / rate),
                [&](int i) { return displacement(i / rate); });
 }
 
-/// Returns such a log with a force [N], a function of time and the displacement.
+/// Returns such a log with a force [N] that is a function of time and displacement.
 template <class Displacement, class Force>
 log::Log recorded(double rate, double duration, const Displacement& displacement, const Force& force) {
   return logOf(

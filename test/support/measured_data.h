@@ -1,4 +1,4 @@
-// Measured logs that are not part of the package, for tests that use them if they are present.
+// Measured logs that are not part of the package. Tests use them if they are present.
 #pragma once
 
 #include <cstdlib>
@@ -6,8 +6,8 @@
 
 namespace rubber_suspension {
 
-/// Returns the path of a measured log in the folder RUBBER_SUSPENSION_DATA, or else in data/ of the package. A test
-/// without its log skips and names the log.
+/// Returns the path of a measured log in the folder RUBBER_SUSPENSION_DATA, or in data/ of the package if this variable
+/// is not set. A test without its log is skipped and names the log.
 inline std::string measuredData(const std::string& name) {
   const char* folder = std::getenv("RUBBER_SUSPENSION_DATA");
   return (folder != nullptr ? std::string(folder) : TEST_DIR "/../data") + "/" + name;

@@ -1,4 +1,4 @@
-// Tests that run once per set of instructions.
+// Tests that run once per instruction set of the processor.
 #pragma once
 
 #include "rubber_suspension/processor/instructions.h"
@@ -6,7 +6,7 @@
 
 namespace rubber_suspension::test {
 
-/// Limits the instructions of the processor to the parameter of the test.
+/// Limits the instruction set to the parameter of the test.
 class OnAnyProcessor : public testing::TestWithParam<processor::Instructions> {
  protected:
   OnAnyProcessor() { processor::useAtMost(GetParam()); }

@@ -1,4 +1,4 @@
-// A temporary folder for a test, and a file in one; destructors delete both.
+// A temporary folder for a test, and a file in such a folder. Destructors delete both.
 #pragma once
 
 #include <stdlib.h>

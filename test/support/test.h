@@ -1,4 +1,4 @@
-// Includes of every gtest: GoogleTest, common headers of the standard library, and messageOf.
+// Headers that every gtest includes: GoogleTest, common headers of the standard library, and messageOf.
 #pragma once
 
 #include <fmt/format.h>

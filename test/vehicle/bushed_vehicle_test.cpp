@@ -1,4 +1,4 @@
-// Components of six directions in a multibody simulation agree with Simbody's own bushing, and with closed forms.
+// Components of six directions in a multibody simulation agree with the bushing of Simbody and with closed forms.
 #include <Simbody.h>
 
 #include "rubber_suspension/element/constants.h"
@@ -47,8 +47,8 @@ Eigen::Isometry3d toEigen(const SimTK::Transform& transform) {
   return result;
 }
 
-// Two bodies anywhere and in motion, with each cardan angle between them at most `angle`; Simbody's bushing between
-// them is away from the centres of both.
+// Two moving bodies at random poses, with cardan angles between them of at most `angle`. The bushing of Simbody between
+// them is away from the centres of both bodies.
 class TwoBodies {
  public:
   TwoBodies()
@@ -64,7 +64,7 @@ class TwoBodies {
 
   void move(double angle) {
     const SimTK::Transform of_a = frame(3.0, 1.0);
-    // The frames of the bushing on both bodies differ by this pose.
+    // The frames of the bushing on the two bodies differ by this pose.
     const SimTK::Transform between(turn(angle), 0.02 * vec3());
     a_.setQToFitTransform(state_, of_a);
     b_.setQToFitTransform(state_, of_a * on_a_ * between * ~on_b_);
@@ -87,7 +87,7 @@ class TwoBodies {
     return {toEigen(velocity[1]), toEigen(velocity[0])};
   }
 
-  // Wrenches of Simbody's bushing on A and B about their origins, in A's axes.
+  // Returns the wrenches of Simbody's bushing on A and B about the origins of the bodies, in the axes of A.
   component::Reactions ofSimbody() const {
     SimTK::Vector_<SimTK::SpatialVec> bodies;
     SimTK::Vector_<Vec3> particles;
@@ -103,7 +103,7 @@ class TwoBodies {
 
  private:
   static SimTK::Body solid() { return SimTK::Body::Rigid({5.0, Vec3(0.0), SimTK::Inertia(0.02, 0.02, 0.02)}); }
-  static Vec6 vec6(const std::array<double, 6>& by_direction) {  // rotations are first in Simbody
+  static Vec6 vec6(const std::array<double, 6>& by_direction) {  // Simbody has rotations first
     const auto& v = by_direction;
     return {v[3], v[4], v[5], v[0], v[1], v[2]};
   }
@@ -138,7 +138,7 @@ double distance(const component::Wrench& a, const component::Wrench& b) {
   return std::max((a.force - b.force).norm() / b.force.norm(), (a.moment - b.moment).norm() / b.moment.norm());
 }
 
-// Both have Simbody's definition: body-fixed x-y-z angles, forces along A's axes, at the bushing on B.
+// Both use the definition of Simbody: body-fixed x-y-z angles, and forces along the axes of A at the bushing on B.
 TEST(SixDirectionsInSimbody, CardanAnglesEqualTheLinearBushing) {
   TwoBodies bodies;
   const SixDirections bush = bodies.bush(component::RotationMeasure::cardan);
@@ -153,7 +153,7 @@ TEST(SixDirectionsInSimbody, CardanAnglesEqualTheLinearBushing) {
   }
 }
 
-// The rotation vector agrees to first order: half the angle halves the relative difference.
+// The rotation vector agrees to first order, so half the angle halves the relative difference.
 TEST(SixDirectionsInSimbody, RotationVectorComesToItInProportionToTheAngle) {
   const auto difference = [](double angle) {
     TwoBodies bodies;  // the same random numbers for every angle
@@ -181,10 +181,10 @@ Scene someTrack(Kind kind) {
   return scene;
 }
 
-// All four bushes are on the same track at once, so the body only moves up and down as a mass on four springs.
+// All four bushes follow the same track at once, so the body only moves up and down, as a mass on four springs.
 TEST(Vehicle, BodyOnSpringsIsAnOscillator) {
   Scene scene = someTrack(Kind::body);
-  scene.parameters.speed = 1e9;  // makes the delay to the rear negligible
+  scene.parameters.speed = 1e9;  // makes the delay of the rear bushes negligible
   Bushes bushes;
   for (const double x : {1.1, -1.1}) {
     for (const double y : {0.6, -0.6}) {
@@ -207,7 +207,7 @@ TEST(Vehicle, BodyOnSpringsIsAnOscillator) {
       ASSERT_NEAR(pose.translation().z(), height - track, 1e-6);
       ASSERT_LT(pose.translation().head<2>().norm() + (pose.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-9);
     }
-    for (int i = 0; i < 100; ++i) {  // leapfrog, whose phase error is (w h)^2/24 of a cycle
+    for (int i = 0; i < 100; ++i) {  // leapfrog method, with a phase error of (w h)^2/24 of a cycle
       const double time = history.time[n] + kStep * i;
       height += 0.5 * kStep * speed;
       speed -= kStep * omega2 * (height - scene.track.height(time + 0.5 * kStep));
@@ -216,7 +216,7 @@ TEST(Vehicle, BodyOnSpringsIsAnOscillator) {
   }
 }
 
-// Held wrenches lag by half a step, so the difference to variable steps halves with the step.
+// Held wrenches lag by half a step, so halving the step halves the difference to variable steps.
 TEST(Vehicle, LoopsWithHeldWrenchesComeToVariableStepsWithTheStep) {
   for (const auto& [kind, file] :
        {std::pair(Kind::body, "hung_body.yaml"), std::pair(Kind::bushes, "half_bogie_six.yaml")}) {
@@ -236,7 +236,7 @@ TEST(Vehicle, LoopsWithHeldWrenchesComeToVariableStepsWithTheStep) {
   }
 }
 
-// The track reaches the rear later, so the body pitches and moves along, which loads its bushes in these directions.
+// The track reaches the rear later, so the body pitches and moves along, which loads the bushes in these directions.
 TEST(Vehicle, ATrackLoadsSeveralDirections) {
   const auto bushes = loadBushes(Kind::body, kFolder + "hung_body.yaml");
   const History history = runVariableStep(someTrack(Kind::body), bushes, {});

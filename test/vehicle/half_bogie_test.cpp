@@ -1,4 +1,4 @@
-// The geometry and motion of the half bogie agree with closed forms: heights, free flight, a pitch oscillation.
+// Geometry and motion of the half bogie agree with closed forms: heights, free flight, a pitch oscillation.
 #include "support/test.h"
 #include "vehicle/simulation.h"
 #include "vehicle/vehicle.h"
@@ -11,7 +11,7 @@ class NoForce final : public WrenchLaw {
   component::Wrench wrench(std::size_t, double, const Eigen::Isometry3d&) override { return {}; }
 };
 
-// Forces on both primaries that do not depend on the displacements; their sign may alternate from step to step.
+// Given forces on both primaries, independent of the displacements. Their sign may alternate from step to step.
 class GivenForces final : public Exchange {
  public:
   GivenForces(double force, bool alternates) : force_(force), alternates_(alternates) {}
@@ -19,7 +19,7 @@ class GivenForces final : public Exchange {
   void send(std::int64_t stamp, const Poses& /*poses*/) override { odd_ = (stamp / 1000000) % 2 != 0; }
 
   Wrenches receive(std::int64_t /*stamp*/) override {
-    component::Wrench up;  // force of the bush; the wrench holds the pose against it
+    component::Wrench up;  // force of the bush; the wrench points against it
     up.force.z() = alternates_ && odd_ ? force_ : -force_;
     return {up, up, {}};
   }
@@ -56,7 +56,7 @@ TEST(HalfBogie, CompressionsFollowFromHeightsAndPitch) {
   EXPECT_NEAR(compression(2), (frame - body) * std::cos(pitch), 1e-15);  // along the vertical axis of the frame
 }
 
-// Constant forces on both primaries accelerate the frame upwards: z = F t^2/m.
+// Constant forces F on both primaries accelerate the frame of mass m upwards by z = F t^2/m.
 TEST(HalfBogie, FliesFreelyUnderHeldForces) {
   Scene scene;
   scene.parameters.secondary_damping = 0.0;
@@ -69,20 +69,20 @@ TEST(HalfBogie, FliesFreelyUnderHeldForces) {
   EXPECT_NEAR(history.position.back()[1], 0.0, 1e-15);
 }
 
-// The held forces alternate; a force that acted beyond its step would have an effect of first order.
+// The held forces alternate. If a force acted beyond its step, the effect would be of first order.
 TEST(HalfBogie, TakesEachHeldForceFromTheStartOfItsStep) {
   Scene scene;
   scene.parameters.secondary_damping = 0.0;
   scene.duration = 0.1;
   GivenForces exchange(1e3, true);
   const History history = runExchange(scene, exchange, 0);
-  // Each pair of steps ends at rest, displaced by h^2 times the acceleration.
+  // After each pair of steps, the frame is at rest and displaced by h^2 times the acceleration.
   const double expected = 50.0 * 1e-6 * 2e3 / scene.parameters.frame_mass;
   EXPECT_NEAR(history.position.back()[0], expected, 1e-9 * expected);
 }
 
-// Pitch on linear springs alone: I theta'' = -2 k a^2 theta. The sine of the pitch and the linear path between accepted
-// steps have an effect of 1e-6 of the amplitude.
+// On linear springs alone, the pitch obeys I theta'' = -2 k a^2 theta. The sine of the pitch and the linear path
+// between accepted steps change 1e-6 of the amplitude.
 TEST(HalfBogie, PitchesAsASingleOscillator) {
   Scene scene;
   scene.duration = 0.5;

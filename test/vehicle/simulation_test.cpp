@@ -1,4 +1,4 @@
-// Variable steps with trials and loops with held forces are compared with each other.
+// Simulations with variable steps and trial steps are compared with loops of held forces.
 #include "vehicle/simulation.h"
 
 #include "support/test.h"
@@ -20,8 +20,8 @@ double largestDifference(const Bushes& components, const History& history, const
   return *std::max_element(values.begin(), values.end());
 }
 
-// Rejected steps, which the integrator's error control causes, have no effect on the forces. Only the linear path
-// between accepted steps makes a difference, which is of second order.
+// Steps that the error control of the integrator rejects have no effect on the forces. Only the linear path between
+// accepted steps makes a difference, of second order.
 TEST(VehicleSimulation, StepsTakenBackLeaveNoTrace) {
   const Scene scene = someTrack();
   const auto components = loadedComponents({{"friction", {{"maximum_force", {2000.0}}, {"displacement", {1e-3}}}}});
@@ -33,8 +33,8 @@ TEST(VehicleSimulation, StepsTakenBackLeaveNoTrace) {
   EXPECT_LT(largestDifference(components, coarse, fine), 2e-3);
 }
 
-// The error of the path between accepted steps is quadratic in the longest step. The exponent is measured from three
-// runs, and is within 0.3 of 2.
+// The path between accepted steps has an error that is quadratic in the longest step. The exponent is measured from
+// three runs, and must be within 0.3 of 2.
 TEST(VehicleSimulation, ErrorOfVariableStepsIsOfSecondOrder) {
   const Scene scene = someTrack();
   const auto components = loadedComponents();
@@ -47,8 +47,8 @@ TEST(VehicleSimulation, ErrorOfVariableStepsIsOfSecondOrder) {
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.3) << coarse << " and " << fine;
 }
 
-// A loop with held forces differs from one without a loop by a delay of (delay + 1/2) steps: with that delay in its
-// components, the latter differs by less than a fiftieth, which is the next order in the step, (w h)^2/24 of the force,
+// A loop with held forces lags by (delay + 1/2) steps. A run without a loop, but with this lag in its components,
+// differs from the loop by less than a fiftieth. This limit covers the next order in the step, (w h)^2/24 of the force,
 // and the error of the variable steps.
 TEST(VehicleSimulation, DelayExplainsTheLoopWithHeldForces) {
   Scene scene = someTrack();

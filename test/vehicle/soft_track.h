@@ -1,4 +1,4 @@
-// A track for tests: the sum of some sines with a smooth start.
+// A track for tests: a sum of sines with a smooth start.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct TrackSine {
   double phase;      // [rad]
 };
 
-/// Returns a track that is half a second longer than the run; its sines reach their full amplitude.
+/// Returns a track that is half a second longer than the run. Its sines reach their full amplitude.
 inline Scene softTrack(const std::vector<TrackSine>& sines, double duration) {
   log::Log log;
   log.name = "track";

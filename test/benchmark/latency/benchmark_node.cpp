@@ -40,7 +40,7 @@ ForceArray answerTo(const DisplacementArray& bundle) {
 
 template <class In, class Out>
 ros::Subscriber connect(ros::NodeHandle& handle, const std::string& in, const std::string& out) {
-  constexpr std::uint32_t kQueueSize = 10000;  // as in the node
+  constexpr std::uint32_t kQueueSize = 10000;  // the same as in the node
   const boost::function<void(const boost::shared_ptr<const In>&)> answer =
       [publisher = handle.advertise<Out>(out, kQueueSize)](const boost::shared_ptr<const In>& message) {
         publisher.publish(answerTo(*message));

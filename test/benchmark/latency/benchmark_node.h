@@ -1,5 +1,5 @@
-// The nodes that a benchmark measures, each in a process of its own with generated components, and round trips through
-// them from a displacement to its force, at a rate or as fast as possible.
+// The nodes that a benchmark measures, each in a process of its own with generated components. Also measures the round
+// trips from a displacement to its force, at a rate or as fast as possible.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -16,50 +16,50 @@
 
 namespace rubber_suspension::benchmark {
 
-/// Returns a component file with `count` components, alternately five Maxwell elements and Berg's model.
+/// Returns a component file with `count` components. They have five Maxwell elements or Berg's model, by turns.
 std::string benchmarkComponents(int count);
 
-/// Returns the names of these components in the order of the file.
+/// Returns the names of the generated components in the order of the file.
 std::vector<std::string> benchmarkNames(int count);
 
-/// Answers every displacement at once while the subscribers exist, which is the lower bound of any node's latency. Has
-/// the topics and messages of the node `simulate`, single and bundled, but no components.
+/// Answers every displacement at once while the returned subscribers exist. It has the topics and messages of the node
+/// `simulate`, single and bundled, but no components. So its latency is a lower bound for any node.
 std::vector<ros::Subscriber> echo(ros::NodeHandle& handle, const std::vector<std::string>& components);
 
-/// Round trips of one run [s].
+/// Round-trip times of one run [s].
 struct RoundTrips {
   std::vector<double> durations;  ///< sorted
   std::size_t sent = 0;
-  std::size_t surplus = 0;  ///< answers without a sample, or beyond the first
-  double elapsed = 0.0;     ///< [s]
+  std::size_t surplus = 0;  ///< answers without a sample, and second answers to a sample
+  double elapsed = 0.0;     ///< duration of the run [s]
 
-  /// Returns 0 if there are no round trips.
+  /// Returns a quantile of the durations [s], or 0 if there are none.
   double quantile(double fraction) const { return durations.empty() ? 0.0 : numerics::quantileOf(durations, fraction); }
   std::size_t lost() const { return sent - durations.size(); }
 };
 
-/// Drives the components of a node in a namespace: sends in the calling thread and receives in one of its own. Stamps
-/// continue from run to run, a millisecond apart.
+/// Sends samples to a node in a namespace from the calling thread, and receives answers in another thread. Stamps are 1
+/// ms apart, and continue from run to run.
 class RoundTripMeter {
  public:
-  /// With `bundled`, all components share the messages of the topics `displacements` and `forces`. With `measured`,
-  /// each single displacement is followed by a measured force, that of a spring with friction. Waits until every topic
-  /// is connected; throws std::runtime_error if one is not in time.
+  /// If `bundled`, all components share the messages of the topics `displacements` and `forces`. If `measured`, each
+  /// displacement is followed by a measured force of a spring with friction. Waits until every topic is connected, or
+  /// throws std::runtime_error after a time limit.
   RoundTripMeter(const std::string& space, const std::vector<std::string>& components, bool bundled,
                  bool measured = false);
   ~RoundTripMeter();
 
-  /// Sends to all components at once at a `rate` [Hz], for a `duration` [s].
+  /// Sends samples to all components at once at a `rate` [Hz] for a `duration` [s].
   RoundTrips atRate(double rate, double duration);
 
-  /// Sends for a `duration` [s] as fast as answers come, with `under_way` unanswered samples of each component, and at
-  /// most `most` samples of each in total.
+  /// Sends samples for a `duration` [s] as fast as answers arrive, with `under_way` unanswered samples of each
+  /// component, and at most `most` samples of each component in total.
   RoundTrips flood(double duration, std::size_t under_way, std::uint64_t most);
 
  private:
   struct Link;
 
-  // Sends samples while isDue(number in this run, time since its start) holds.
+  // Sends samples while isDue(number in this run, time since its start) returns true.
   template <class Due>
   RoundTrips run(std::uint64_t most, Due isDue);
   std::size_t answered() const;
@@ -69,14 +69,14 @@ class RoundTripMeter {
   std::uint64_t next_ = 0;  // number of the next sample
 };
 
-/// The program to start: an echo node, or `simulate` without or with ~diagnose.
+/// The program of a node: the echo node, `simulate`, or `simulate` with ~diagnose.
 enum class NodeKind { echo, plain, diagnosing };
 
-/// A node in a namespace of its own, with its driver. Needs a master.
+/// A node in a namespace of its own, and the meter that sends its samples. Requires a master.
 class BenchmarkNode {
  public:
-  /// Starts the program in the folder of the running one and waits until it serves; `measured` adds measured forces.
-  /// Throws std::runtime_error.
+  /// Starts the program in the folder of this program, and waits until the node serves. If `measured`, forces are sent
+  /// as well. Throws std::runtime_error.
   BenchmarkNode(NodeKind kind, int components, bool bundled = false, bool measured = false);
 
   RoundTripMeter& meter() { return meter_; }

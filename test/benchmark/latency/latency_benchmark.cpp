@@ -1,4 +1,4 @@
-// Compares the latency of the node with that of an empty echo node.
+// Compares the latency of the node with that of an echo node without components.
 #include "benchmark/latency/latency_benchmark.h"
 
 #include <fmt/format.h>
@@ -16,10 +16,10 @@ namespace rubber_suspension::benchmark {
 namespace {
 
 constexpr std::size_t kUnderWay = 100;           // unanswered samples of each component in a flood
-constexpr std::uint64_t kMostInFlood = 2000000;  // more than any machine answers in a flood
-constexpr double kWarmUp = 0.5;                  // [s], before the measured runs
+constexpr std::uint64_t kMostInFlood = 2000000;  // more samples than any computer answers in a flood
+constexpr double kWarmUp = 0.5;                  // time before the measured runs [s]
 
-using Runs = std::array<RoundTrips, 3>;  // echo node, node, echo node again
+using Runs = std::array<RoundTrips, 3>;  // runs of the echo node, of the node, and of the echo node again
 
 LatencyQuantile quantileOf(const std::vector<Runs>& all, double fraction) {
   std::vector<double> echo;
@@ -33,13 +33,13 @@ LatencyQuantile quantileOf(const std::vector<Runs>& all, double fraction) {
   return {spreadOf(echo).median, spreadOf(node), spreadOf(again)};
 }
 
-// Both nodes run all the time, each in its namespace; the one that is not measured is idle.
+// Both nodes run all the time in their namespaces. The node that is not measured is idle.
 void measureLatency(RoundTripMeter& echo, RoundTripMeter& node, const BenchmarkOptions& options, LatencyRow& row) {
   std::vector<Runs> all;
   echo.atRate(row.rate, kWarmUp);
   node.atRate(row.rate, kWarmUp);
   for (int pair = 0; pair < options.pairs; ++pair) {
-    // The echo node runs before and after the node, so that a drift of the machine's speed favours neither.
+    // The echo node runs before and after the node, so a drift in the speed of the computer favours neither.
     all.push_back({echo.atRate(row.rate, options.duration), node.atRate(row.rate, options.duration),
                    echo.atRate(row.rate, options.duration)});
     for (const RoundTrips& trips : all.back()) {
@@ -64,7 +64,7 @@ LatencyRow measureRow(int components, bool bundled, const BenchmarkOptions& opti
   row.bundled = bundled;
   row.diagnose = options.diagnose;
   row.rate = bundled ? options.rate : std::min(options.rate, options.total_rate / components);
-  // The baseline is an echo node, or for a node that diagnoses, a node that does not.
+  // The baseline is an echo node. If the node diagnoses, the baseline is a node without the diagnosis.
   BenchmarkNode node(row.diagnose ? NodeKind::diagnosing : NodeKind::plain, components, bundled, row.diagnose);
   BenchmarkNode echo(row.diagnose ? NodeKind::plain : NodeKind::echo, components, bundled, row.diagnose);
   measureLatency(echo.meter(), node.meter(), options, row);
@@ -89,7 +89,7 @@ std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
     rows.push_back(measureRow(components, false, options));
   }
   if (options.diagnose) {
-    return rows;  // bundles pass through the same code, and have no topic for measured forces
+    return rows;  // bundles use the same code, and have no topic for measured forces
   }
   const int most = *std::max_element(options.components.begin(), options.components.end());
   progress(fmt::format("{} component(s) in one message", most));

@@ -1,4 +1,4 @@
-// Compares the latency of the node with that of an empty echo node, in alternating runs on this machine.
+// Compares the latency of the node with that of an echo node without components, in alternating runs on one computer.
 #pragma once
 
 #include <cstdint>
@@ -21,19 +21,19 @@ struct BenchmarkOptions {
   bool diagnose = false;        ///< compare a node that diagnoses with one that does not, instead of the echo node
 };
 
-/// A quantile of the round trips over the runs.
+/// A quantile of the round-trip times over the runs.
 struct LatencyQuantile {
   double echo = 0.0;  ///< of the echo node, median over the runs [s]
   io::Spread node;    ///< ratio of the node to the echo node
-  io::Spread again;   ///< ratio of the echo node to itself, which shows the scatter of the machine
+  io::Spread again;   ///< ratio of the echo node to itself, which shows the scatter of the computer
 };
 
 /// One row of the table.
 struct LatencyRow {
   int components = 0;
   bool bundled = false;
-  bool diagnose = false;  ///< the node diagnoses, and the baseline is a node that does not
-  double rate = 0.0;      ///< of each component [Hz]
+  bool diagnose = false;  ///< the node diagnoses, and the baseline is a node without the diagnosis
+  double rate = 0.0;      ///< sampling rate of each component [Hz]
   LatencyQuantile median;
   LatencyQuantile late;       ///< 99th percentile
   std::size_t lost = 0;       ///< unanswered samples of both nodes
@@ -41,15 +41,15 @@ struct LatencyRow {
   double node_highest = 0.0;
 };
 
-/// Measures the latencies. Needs a master, and starts only the two nodes, `simulate` and `benchmark_latency --echo` in
-/// the folder of this program. Reports each step to `progress`. Throws std::runtime_error.
+/// Measures the latencies. Requires a master, and starts two nodes: `simulate`, and `benchmark_latency --echo` in the
+/// folder of this program. Reports each step to `progress`. Throws std::runtime_error.
 std::vector<LatencyRow> benchmarkLatency(const BenchmarkOptions& options,
                                          const std::function<void(const std::string&)>& progress);
 
 /// Prints the rows as a Markdown table.
 void printMarkdown(const std::vector<LatencyRow>& rows, std::ostream& out);
 
-// A soak test: of millions of samples, as fast as the node answers, each has its force, and the memory does not grow.
+// The soak test sends millions of samples as fast as the node answers. Each has its force, and the memory is constant.
 
 struct SoakResult {
   int components = 0;
@@ -62,14 +62,14 @@ struct SoakResult {
   bool exact() const { return answered == sent && surplus == 0; }
 };
 
-/// Sends this number of samples of all components together to the node in the folder of this program. Needs a master.
-/// Reports every tenth to `progress`. Throws std::runtime_error.
+/// Sends this total number of samples for all components to the node in the folder of this program. Requires a master.
+/// Reports every tenth of the samples to `progress`. Throws std::runtime_error.
 SoakResult soak(std::uint64_t samples, int components, const std::function<void(const std::string&)>& progress);
 
 /// Prints the result as a Markdown table.
 void printMarkdown(const SoakResult& result, std::ostream& out);
 
-/// Returns the resident memory of a process [bytes]; 0 if there is no such process.
+/// Returns the resident memory of a process [bytes], or 0 if there is no such process.
 long residentMemory(int process);
 
 }  // namespace rubber_suspension::benchmark

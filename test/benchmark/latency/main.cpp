@@ -1,4 +1,4 @@
-// The program `benchmark_latency`: the latency that the node adds to that of an echo node.
+// The program `benchmark_latency` measures the latency that the node adds to that of an echo node.
 #include <fmt/format.h>
 #include <ros/init.h>
 #include <ros/master.h>
@@ -36,7 +36,7 @@ int serveEcho(ros_interface::RosCommandLine& line, int components) {
   return kSuccess;
 }
 
-// Starts a master on the loopback interface, so that no other program on this machine takes part.
+// Starts a master on the loopback interface, so that other programs on this computer do not connect.
 std::unique_ptr<ros_interface::ChildProcess> startMaster() {
   const int port = ros_interface::freePort();
   setenv("ROS_HOSTNAME", "127.0.0.1", 1);
@@ -95,7 +95,7 @@ OptionTable Options::table() {
              "number of samples to send as fast as the node answers, to the first number of --components; reports the "
              "memory of the node instead of the latency")
           .within(1000, 1e11),
-      // The command starts its own echo node with this option.
+      // This program starts itself with this option as the echo node.
       Option("--echo", echo, "COUNT", "be the echo node of this number of components").within(1, 500).hidden()};
   return options.excludes({"--sampling-rate", "--total-sampling-rate", "--duration", "--pairs", "--diagnose"},
                           {"--soak"});

@@ -26,23 +26,23 @@ using Steady = std::chrono::steady_clock;
 
 constexpr std::uint32_t kQueueSize = 100000;
 constexpr double kConnectTimeout = 60.0;  // [s]
-constexpr double kLastAnswers = 5.0;      // [s] to wait for unanswered samples at the end
+constexpr double kLastAnswers = 5.0;      // time to wait for late answers at the end [s]
 
-// Sample number `tick`: stamps are 1 ms apart, the motion is slow with an amplitude of 2 mm.
+// Functions of the sample number `tick`: stamps are 1 ms apart, and the motion is slow with an amplitude of 2 mm.
 ros::Time stampOf(std::uint64_t tick) {
   return ros::Time(1, 0) + ros::Duration().fromNSec(static_cast<std::int64_t>(tick) * 1000000);
 }
 std::uint64_t tickOf(const ros::Time& stamp) { return (stamp.toNSec() - 1000000000ULL) / 1000000ULL; }
 double displacementOf(std::uint64_t tick) { return 2e-3 * std::sin(0.01 * static_cast<double>(tick)); }
 
-// [N], with a friction that reverses smoothly at any sampling rate
+// Returns a measured force [N], with friction that reverses smoothly at any sampling rate.
 double measuredForceOf(std::uint64_t tick) {
   return 4e6 * displacementOf(tick) + 800.0 * std::tanh(5.0 * std::cos(0.01 * static_cast<double>(tick)));
 }
 
 }  // namespace
 
-// One pair of topics, those of a component or the bundled ones.
+// One pair of topics: those of a component, or the bundled topics.
 struct RoundTripMeter::Link {
   Link(ros::NodeHandle& handle, const std::string& component, bool measured) {
     if (measured) {
@@ -68,7 +68,7 @@ struct RoundTripMeter::Link {
         "no node serves {}", publisher.getTopic());
   }
 
-  // Prepares a run of `capacity` samples, the first of which has this number. No answers may arrive meanwhile.
+  // Prepares a run of `capacity` samples that begins with this number. Meanwhile no answers may arrive.
   void begin(std::uint64_t number, std::size_t capacity) {
     first = number;
     sent.assign(capacity, kAnswered);
@@ -115,13 +115,13 @@ struct RoundTripMeter::Link {
     answered.fetch_add(1, std::memory_order_release);
   }
 
-  ros::Publisher force_publisher;  // only if forces are measured
+  ros::Publisher force_publisher;  // used only if forces are measured
   ros::Publisher publisher;
   std::function<void(std::uint64_t tick)> publish;
   ros::Subscriber subscriber;
   static constexpr Steady::time_point kAnswered{};
   std::uint64_t first = 0;
-  std::vector<Steady::time_point> sent;  // by the number of ticks since the first
+  std::vector<Steady::time_point> sent;  // index: number of ticks since the first
   std::vector<double> trips;             // written by the receiving thread
   std::atomic<std::size_t> answered{0};
   std::atomic<std::size_t> surplus{0};
@@ -175,7 +175,7 @@ RoundTrips RoundTripMeter::run(std::uint64_t most, Due isDue) {
   result.elapsed = std::chrono::duration<double>(Steady::now() - start).count();
   for (const auto& link : links_) {
     result.surplus += link->surplus.load();
-    // A late answer may still be added, so only the counted trips are read.
+    // A late answer may still be added, so the loop reads only as many trips as were counted.
     const auto count = static_cast<std::ptrdiff_t>(link->answered.load(std::memory_order_acquire));
     result.durations.insert(result.durations.end(), link->trips.begin(), link->trips.begin() + count);
   }

@@ -1,8 +1,7 @@
-// Drives the binary of an FMU of one direction as an importer does on Linux or Windows. Of the package, it knows only
-// the value references of displacement and force, which are arguments of the command line.
-//
-// Usage: driver BINARY VERSION TOKEN DISPLACEMENT FORCE STOP < LOG; each line of the log is a time and a displacement.
-// It prints a force per line, then the status of a step past the stop time.
+// Steps the binary of an FMU with one direction as an importer does, on Linux or Windows. It knows only the value
+// references of displacement and force, which are arguments.
+// Usage: driver BINARY VERSION TOKEN DISPLACEMENT FORCE STOP < LOG. Each line of the log is a time and a displacement.
+// The program prints a force per line, and then the status of a step past the stop time.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -55,7 +54,7 @@ void require(int status, const char* call) {
   }
 }
 
-// Calls of an FMU by name that both versions have, with the arguments of each version.
+// Calls the functions that both versions of the standard have, by name and with the arguments of each version.
 class Fmu {
  public:
   Fmu(const char* binary, bool is_3, const char* token) : binary_(binary), is_3_(is_3) {

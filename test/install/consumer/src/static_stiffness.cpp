@@ -1,4 +1,4 @@
-// Loads a component file and prints the static stiffness of each component, from its force after a hold of an hour.
+// Loads a component file, and prints the static stiffness of each component after a hold of an hour.
 // Usage: static_stiffness COMPONENTS.yaml
 #include <cstdio>
 #include <exception>
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Returns the force over the displacement [N/m] after a slow move to 1 mm and an hour at rest.
+/// Returns the force divided by the displacement [N/m] after a slow move to 1 mm and an hour at rest.
 double staticStiffness(const rubber_suspension::component::Component& component) {
   constexpr double kDisplacement = 1e-3;  // [m]
   constexpr double kHour = 3600.0;        // [s]

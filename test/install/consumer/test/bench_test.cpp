@@ -1,4 +1,4 @@
-// Checks a bench over its topics: a displacement gives one force, with the value of the component file.
+// Checks a bench over its topics: a displacement gives one force, whose value follows from the component file.
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -19,7 +19,7 @@ class Bench {
     return waitFor([this] { return publisher_.getNumSubscribers() > 0 && subscriber_.getNumPublishers() > 0; });
   }
 
-  /// Returns the force that answers a displacement; empty if none arrives.
+  /// Returns the force that answers a displacement, or nothing if no force arrives.
   std::optional<rubber_suspension::Force> ask(double displacement) {
     rubber_suspension::Displacement question;
     question.header.stamp = ros::Time(100, 5);
