@@ -1,6 +1,6 @@
 # Tests of the virtual rigs, their generator, the rules of reports and the scorer: python3 -m unittest in this folder.
-# Logs are short for speed; every expected number comes from the theory or from the request itself.
-"""Tests of the blind trial's own machinery."""
+# Logs are short to save time. Every expected number follows from the theory or from the request itself.
+"""Tests of the programs of the blind trial itself."""
 import filecmp
 import json
 import math
@@ -24,7 +24,7 @@ EXAMPLE = {"static_stiffness": 3.0, "dynamic_stiffness": 4.2, "nominal_frequency
 
 
 def small_rig(seed=0, seconds=8.0, model="multi_maxwell"):
-    """Return a component with four short logs, and the sizes from which laws are drawn."""
+    """Return a component with four short logs, and the scale from which laws are drawn."""
     rng = np.random.default_rng(seed)
     specification = {"static_stiffness": 3e6, "dynamic_stiffness": 4.2e6, "nominal_frequency": 4.0,
                      "maximum_stiffness": 4.9e6, "high_frequency": 25.0, "maxwell_elements": 3}
@@ -42,7 +42,7 @@ def small_rig(seed=0, seconds=8.0, model="multi_maxwell"):
 
 
 class BaseTest(unittest.TestCase):
-    """The base components meet the published example (K in kN/mm, f in Hz)."""
+    """The base components agree with the published example (K in kN/mm, f in Hz)."""
 
     def test_five_input_estimation(self):
         b = base.multi_maxwell(dict(EXAMPLE, maximum_stiffness=4.9, high_frequency=25.0, maxwell_elements=3))
@@ -73,7 +73,7 @@ class BaseTest(unittest.TestCase):
         r = 1j * 2 * np.pi * 4.0 * b.tau[0]
         self.assertAlmostEqual(abs(b.k0 + b.k[0] * r / (1 + r)), 4.2, places=9)
         b = base.berg(dict(EXAMPLE, nominal_amplitude=2.0, loss_angle=math.atan(0.1), break_frequency=1.45))
-        # The reference rounds the sum of friction and Maxwell force differently, by 0.05 %.
+        # The reference rounds the sum of friction and Maxwell force differently, which changes it by 0.05 %.
         np.testing.assert_allclose([b.friction_force, b.friction_z2, b.k[0]], [4.9209, 2.2109, 0.26087], rtol=5e-4)
 
     def test_specification_without_solution_is_refused(self):
@@ -82,7 +82,7 @@ class BaseTest(unittest.TestCase):
 
 
 class LawTest(unittest.TestCase):
-    """Every law of every effect."""
+    """Tests of every law of every effect."""
 
     def test_every_law_reaches_a_gap_and_stays_finite(self):
         component, z, rate, scale = small_rig()
@@ -97,7 +97,7 @@ class LawTest(unittest.TestCase):
                         self.assertAlmostEqual(full, 0.05, delta=0.05 * 0.03)
                     self.assertGreater(full, 0.01)
                     self.assertLessEqual(visible, full * 1.1)
-                    # The gap on the fine grid agrees with that on the coarse grid, where the strength was found.
+                    # The strength was found on the coarse grid. On the fine grid it must give the same gap.
                     both = rig.Rig(component, z, rate, [one])
                     force = both.force({id(one): strength})
                     again = rig.gap([a - b for a, b in zip(force, both.base_force())], force)
@@ -122,7 +122,7 @@ class LawTest(unittest.TestCase):
 
 
 class FormErrorTest(unittest.TestCase):
-    """Laws with form errors, on a base with more relaxation than its model."""
+    """Tests of laws with form errors, on a base component with more relaxation than its model."""
 
     def test_a_law_is_off_by_about_the_size_and_grows_with_its_strength(self):
         _, z, rate, scale = small_rig()
@@ -130,7 +130,7 @@ class FormErrorTest(unittest.TestCase):
         off = form_error.inexact(np.random.default_rng(6), scale, plain, None, 0.2)
         shares = [f.function(z, rate) for f in (plain, off)]
         difference = form_error.rms([a - b for a, b in zip(*shares)]) / form_error.rms(shares[0])
-        # The range covers the RMS of the drawn function over parts of its domain, and a drift of at most 6 %.
+        # The limits cover the RMS of the drawn function over parts of its domain, and a drift of at most 6 %.
         self.assertTrue(0.08 < difference < 0.4, difference)
         again = off.function(z, rate)
         for a, b in zip(shares[1], again):
@@ -169,7 +169,7 @@ class FormErrorTest(unittest.TestCase):
 
 
 class CaseTest(unittest.TestCase):
-    """Whole cases."""
+    """Tests of whole cases."""
 
     def test_plan_has_every_effect_and_its_quota(self):
         kinds = case.plan(150, 5)
@@ -221,7 +221,7 @@ class CaseTest(unittest.TestCase):
                            (built["model"], case.component_yaml(built["rng"], "a", built["model"],
                                                                 built["specification"]))):
             self.assertIn(f"model: {name}\n", text)
-        # The rig's grid is four times finer than the log, which is the only difference.
+        # The only difference is the grid of the rig, which is four times finer than the log.
         for (_, _, measured), true in zip(built["logs"], built["true"]):
             self.assertLess(np.std(measured - true) / np.std(true), 0.1)
         self.assertLess(built["label"]["gap"]["as_configured"], 2e-3)
@@ -250,7 +250,7 @@ class CaseTest(unittest.TestCase):
 
 
 class MachineTest(unittest.TestCase):
-    """The model of a measured log."""
+    """Tests of the model that is made for a measured log."""
 
     def test_spring_and_dashpot_of_a_log_are_found(self):
         t = np.arange(3000) * 0.01
@@ -266,7 +266,7 @@ class MachineTest(unittest.TestCase):
 
 
 def report_of(verdict, effects=(), **changes):
-    """Return a report that obeys every rule."""
+    """Return a report without any contradiction."""
     naming = bool(effects)
     says = {"none": "none", "parameter_error": "parameter_error", "unknown": "none_of_these"}.get(verdict, "effects")
     left = 0.05 if verdict == "partly" else 0.011
@@ -288,7 +288,7 @@ def report_of(verdict, effects=(), **changes):
 
 
 class InvariantsTest(unittest.TestCase):
-    """Rules of every report."""
+    """Tests of the rules that every report must obey."""
 
     def test_contradictions_are_found(self):
         self.assertTrue(all(holds is not False for r in (report_of("named", ["creep"]), report_of("unknown"))
@@ -323,7 +323,7 @@ class InvariantsTest(unittest.TestCase):
 
 
 class ScoreTest(unittest.TestCase):
-    """Figures of reports whose score is known."""
+    """Tests of the figures of reports with a known score."""
 
     @staticmethod
     def case(report, further=None, run=None):
@@ -347,7 +347,7 @@ class ScoreTest(unittest.TestCase):
 
 
 class FurtherTest(unittest.TestCase):
-    """Gaps on further logs, without the command itself."""
+    """Tests of gaps on further logs, without running `replay`."""
 
     def test_re_estimated_component(self):
         file = {"model": "maxwell", "specification": {"static_stiffness": 2.0, "dynamic_stiffness": 3.0}, "elements": None}

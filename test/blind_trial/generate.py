@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-# Writes the cases of a blind trial: logs of virtual rigs whose effects only the sealed labels state. The same seed and
+# Writes the cases of a blind trial: logs of virtual rigs, whose effects only the sealed labels state. The same seed and
 # number of cases always give the same files.
 """Generate cases of the blind trial."""
 import argparse
@@ -18,11 +18,11 @@ import numpy as np  # noqa: E402
 
 from virtual_rig import bench, case  # noqa: E402
 
-MOST_MEMORY = 4 * 2**30  # limit of a process [B]; a case needs a tenth of it
+MOST_MEMORY = 4 * 2**30  # memory limit of a process [B]; a case needs a tenth of it
 
 
 def one(arguments, job):
-    """Build and write a case (number, entry of the plan); return its name."""
+    """Build and write a case (number, entry of the plan), and return its name."""
     number, planned = job
     try:
         built = case.build(arguments.seed, number, *planned, arguments.further, arguments.duration, arguments.form_error)
@@ -38,7 +38,7 @@ def one(arguments, job):
 
 
 def on_bench(built, faults, size, rng):
-    """Apply the faults of the bench. Further logs get only its noise, because their gaps exclude all other faults."""
+    """Apply the faults of the bench. Further logs get its noise only, because their gaps exclude all other faults."""
     label = built["label"]
     built["logs"], label["bench"] = bench.apply(built["logs"], faults, size, rng)
     if built["further"] and "pink" in faults:
@@ -47,7 +47,7 @@ def on_bench(built, faults, size, rng):
 
 
 def limit_memory():
-    """Limit the memory of a process, so that a case that needs more fails alone and is named."""
+    """Limit the memory of a process, so that only a case that needs more fails, with its name."""
     resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
 
 

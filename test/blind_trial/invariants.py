@@ -1,19 +1,19 @@
-# Rules for the content of every report: verdict, gaps, floor, interval and probabilities agree (docs/diagnosis.md lists
-# them). They use report.json alone. src/diagnosis/invariants.cpp checks the same rules on the result, and on the words
-# of the page, before the report is written; a report that breaks one is a `defect`.
+# Rules for the content of every report: verdict, gaps, noise floor, interval and probabilities agree (docs/diagnosis.md
+# lists the rules). They use report.json alone. Before a report is written, src/diagnosis/invariants.cpp checks the same
+# rules on the result and on the words of the page. A report that violates a rule has the verdict `defect`.
 """Invariants of a report."""
 import math
 
-LISTED = 0.02           # lower limit of the probability of effects in listed sets
-WORTH_SAYING = 0.02     # logarithm of the smallest reported change of a value
-SLACK = 1e-3            # for rounded sums, fractions and gaps
+LISTED = 0.02           # smallest probability of effects in listed sets
+WORTH_SAYING = 0.02     # smallest reported change of the logarithm of a value
+SLACK = 1e-3            # tolerance for rounded sums, fractions and gaps
 NAMING = ("named", "confounded", "partly")
-WEIGHED = ("none", "parameter_error", "unknown", *NAMING)  # verdicts with a weighed answer
-CHECKS = {}             # by name
+WEIGHED = ("none", "parameter_error", "unknown", *NAMING)  # verdicts for which the judgement compares probabilities
+CHECKS = {}             # functions by the name of their rule
 
 
 def rule(name, verdicts=None):
-    """Register a check for reports with these verdicts, by default for all."""
+    """Register a check for reports with these verdicts, by default for all reports."""
     def register(check):
         CHECKS[name] = lambda report: None if verdicts and report["verdict"] not in verdicts else check(report)
         return check
@@ -32,7 +32,7 @@ def verdict_has_its_effects(report):
 
 @rule("named: the gap falls and the interval excludes 0, or the data sheet is right", NAMING)
 def named_closes(report):
-    """Check that the gap falls with an interval of the closed share above 0, or that values are nearer to the sheet."""
+    """Check that the gap falls with a closed share above 0, or that values come nearer to the data sheet."""
     gap = report["gap"]
     if report.get("withheld"):
         return None
@@ -50,7 +50,7 @@ def closed_is_of_the_gaps(report):
     if span <= 0.0:
         return False
     fraction = (gap["re_estimated"] - gap["augmented"]) / span
-    # A share that closes more than the floor may be reported as all of the gap.
+    # If more than the noise floor is closed, the share may be reported as the whole gap.
     return abs(min(fraction, 1.0) - min(report["closed"]["fraction"], 1.0)) <= SLACK
 
 
@@ -62,7 +62,7 @@ def interval_holds_the_fraction(report):
 
 @rule("the parts removed from the logs add up", WEIGHED)
 def taken_out_adds_up(report):
-    """Check in squares: the gap as recorded minus the parts taken out of the log is the gap of the log."""
+    """Check that the squares add up: gap as recorded, minus the parts that were removed, is the gap of the log."""
     if "taken_out" not in report:
         return None
     for log in report["admission"]:
@@ -75,15 +75,15 @@ def taken_out_adds_up(report):
 
 @rule("no other fit predicts unseen data better")
 def no_fit_predicts_better(report):
-    """Check that the error on held-out blocks is at least that in sample, except for 2 % by chance; a law without a
-    model has no error."""
+    """Check that the error on held-out blocks is at least that on fitted blocks, except for 2 % by chance. A law
+    without a model has no error."""
     trials = [trial for trial in report.get("trials", []) if None not in (trial["in_sample"], trial["held_out"])]
     return all(trial["in_sample"] <= 1.02 * trial["held_out"] * (1.0 + SLACK) for trial in trials)
 
 
 @rule("the noise floor is not above any gap")
 def floor_is_least(report):
-    """Check that the floor is at most the least gap of any model."""
+    """Check that the noise floor is not larger than the smallest gap of any model."""
     gap = report["gap"]
     gaps = [gap["as_configured"], gap["re_estimated"], gap["augmented"]]
     gaps += [c.get("gap") for c in report["candidates"]]
@@ -109,7 +109,7 @@ def probability_of(report, effect):
 
 @rule("effects are as probable as the sets that contain them", WEIGHED)
 def candidates_are_of_the_sets(report):
-    """Check that all sets together are as probable as any effect, and no more than the sum over effects."""
+    """Check that all sets together are as probable as any effect, and not more than the sum over the effects."""
     effects = report["posterior"]["effects"]
     probabilities = [c["probability"] for c in report["candidates"]]
     if any(probability_of(report, one["effect"]) > 0.0 for one in report.get("excluded", [])):
@@ -124,21 +124,21 @@ def first_set_is_named(report):
 
 @rule("no set contains an improbable effect", NAMING)
 def sets_are_probable(report):
-    """Check that the other listed sets contain only effects with a probability of at least 2 %."""
+    """Check that all listed sets but the first contain only effects with a probability of at least 2 %."""
     return all(probability_of(report, effect) >= LISTED - SLACK for s in report["confounded"][1:] for effect in s)
 
 
 @rule("alternatives are sorted by probability", WEIGHED)
 def alternatives_follow(report):
-    """Check that probabilities decrease and, with that of the answer, add up to at most 1."""
+    """Check that the probabilities decrease and, together with that of the answer, add up to at most 1."""
     others = [a["probability"] for a in report["alternatives"]]
     return others == sorted(others, reverse=True) and report["probability"] + sum(others) <= 1.0 + SLACK
 
 
 @rule("the headline has the largest change")
 def headline_is_the_largest(report):
-    """Check that no other value is beyond its interval and farther off than the one in the sentence, except for the
-    band of frequencies and values at a bound of the fit."""
+    """Check that the sentence names the value that is farthest off beyond its interval. The band of frequencies and
+    values at a bound of the fit are exempt."""
     far = []
     for size in report.get("model_sizes", []):
         given, value, (low, high) = size["configured"], size["value"], size["interval_95"]
@@ -157,7 +157,7 @@ def headline_is_the_largest(report):
 
 @rule("shares add up to the removed part of the gap", WEIGHED)
 def shares_add_up(report):
-    """Check that the shares of values and effects add up to the removed part of the gap as configured."""
+    """Check that the shares of values and effects add up to the part of the configured gap that was removed."""
     gap = report["gap"]
     removed = 1.0 - gap["augmented"] / gap["as_configured"]
     return abs(sum(report["share_of_configured_gap"].values()) - removed) <= SLACK
@@ -165,7 +165,7 @@ def shares_add_up(report):
 
 @rule("the written file is not worse on any log")
 def file_leaves_no_more(report):
-    """Check the gaps of single logs and of all logs together; a withheld effect is not written."""
+    """Check that the file has no larger gap in a log or in all logs. A withheld effect is not written."""
     logs = report.get("left_of_logs", [])
     if any(log["written"] ** 2 > log["as_configured"] ** 2 + log["allowed"] + SLACK ** 2 for log in logs):
         return False
@@ -193,7 +193,7 @@ def each_effect_removes(report):
 
 @rule("an interval that ends at a bound says so")
 def bounds_are_said(report):
-    """Check that an interval of a size that ends at 0 is marked as a bound."""
+    """Check that the interval of a size is marked as a bound if it ends at 0."""
     return all(size["at_bound"][0] for size in report.get("effect_sizes", [])
                if size["interval_95"][0] == 0.0 and size["value"] > 0.0)
 
@@ -222,7 +222,7 @@ def surrogate_is_there(report):
 
 
 def checked(report):
-    """Return by check: True, False, or None where it does not apply. An unreadable report fails."""
+    """Return for each rule: True, False, or None if it does not apply. An unreadable report violates a rule."""
     out = {}
     for name, check in CHECKS.items():
         try:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Writes measured logs of real machines with known effects as cases, with a spring and a dashpot as the model. Half of
-# the machines are for fitting numbers, half for judging.
+# Writes measured logs of real machines with known effects as cases. Their model is a spring with a dashpot. Half of the
+# machines are for fitting the numbers of the judgement, the other half for evaluating them.
 """Write measured logs of machines with a known cause as cases of a trial."""
 import argparse
 import dataclasses
@@ -24,14 +24,14 @@ DATA = os.environ.get("RUBBER_SUSPENSION_DATA") or os.path.join(PACKAGE, "data")
 
 @dataclasses.dataclass
 class Machine:
-    """Logs of one machine, or a table with its component file, and the effects at work in it."""
+    """Logs of a machine, or a table with its component file, and the effects that act in the machine."""
 
-    data: str        # pattern below the folder of data
-    effects: tuple   # one of these has to be named first
-    also: tuple      # may be named in addition; any other is one effect too many
+    data: str        # file pattern in the folder of data
+    effects: tuple   # one of these must be named first
+    also: tuple      # may be named in addition; any other effect is one too many
     why: str         # evidence from construction and tests, independent of any model
-    rig: str         # machines of one rig are not independent
-    config: str = ""  # for a table
+    rig: str         # machines of the same rig are not independent
+    config: str = ""  # component file of a table
 
 
 FRICTION_AND_OFFSET = (("friction", "force_offset"), ("viscous_damping",))
@@ -71,12 +71,12 @@ JUDGE = {
     "dma_mid": Machine("dma_temperature/mid.csv", ("temperature",), (), *POLYMER, "dma_temperature/mid.yaml"),
     "dma_narrow": Machine("dma_temperature/narrow.csv", ("temperature",), (), *POLYMER, "dma_temperature/narrow.yaml"),
 }
-COMPONENT_OF_TABLES = "c"  # name in their component files
+COMPONENT_OF_TABLES = "c"  # name of the component in the files of tables
 HALVES = {"fit": FIT, "judge": JUDGE}
 
 
 def read_log(path):
-    """Return time [s], displacement [m] and force [N]."""
+    """Return time [s], displacement [m] and force [N] of a log."""
     with open(path, encoding="utf-8") as file:
         units = [column.split("_")[-1] for column in file.readline().strip().split(",")]
     t, z, f = np.loadtxt(path, delimiter=",", skiprows=1, usecols=(0, 1, 2)).T
@@ -84,8 +84,8 @@ def read_log(path):
 
 
 def spring_and_dashpot(paths):
-    """Fit stiffness [N/m] and damping [N s/m] beside an offset by least squares, rounded to two digits as a user would
-    write them. All logs are resampled to one even grid, with the displacement smoothed."""
+    """Fit stiffness [N/m], damping [N s/m] and an offset by least squares. The values are rounded to two digits, as a
+    user would write them. All logs are resampled to one even grid, and the displacement is smoothed."""
     logs = [read_log(path) for path in paths]
     rate = 1.0 / min(float(np.median(np.diff(t))) for t, _, _ in logs)
     displacement, force, columns = [], [], []
@@ -102,7 +102,7 @@ def spring_and_dashpot(paths):
 
 
 def guess_yaml(name, stiffness, dashpot):
-    """Return spring and dashpot as a data sheet that is a guess; without dashpot, the damping is nearly zero."""
+    """Return the data sheet of a spring and dashpot as a guess. Without a dashpot, the damping is nearly zero."""
     damping = 1e-3 if dashpot > 0.0 else 1e-4
     frequency = damping * stiffness / (math.pi * dashpot) if dashpot > 0.0 else 1.0
     numbers = {"dynamic_stiffness": stiffness, "nominal_frequency": frequency, "relative_damping": damping}
@@ -111,7 +111,7 @@ def guess_yaml(name, stiffness, dashpot):
 
 
 def write(name, machine, data, output, labels):
-    """Write the case to OUTPUT/NAME with its label; return False if the data are missing."""
+    """Write the case to OUTPUT/NAME with its label. Return False if the data are missing."""
     paths = sorted(glob.glob(os.path.join(data, machine.data)))
     if not paths:
         return False

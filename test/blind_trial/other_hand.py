@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Writes cases of a virtual rig by an independent author and diagnoses them for judge_again. That rig is stored
-# elsewhere and is no part of the package.
+# Writes cases of a virtual rig by an independent author, and diagnoses them for judge_again. That rig is not part of
+# the package.
 """Run a bank of cases by an independent author through a diagnosis."""
 import argparse
 import os

@@ -1,6 +1,6 @@
-# Gaps that `replay` finds for the component files of a report: on the logs of the report, and on further logs of the
-# rig, which are stored with the sealed label (generate.py --further) and which no diagnosis has seen.
-"""Gaps of component files by `replay`."""
+# Computes gaps of the component files of a report with `replay`: on the logs of the report, and on further logs of the
+# rig. The further logs are stored with the sealed label (generate.py --further) and unknown to the diagnosis.
+"""Gaps of component files, computed by `replay`."""
 import json
 import math
 import os
@@ -11,12 +11,12 @@ import numpy as np
 
 from virtual_rig.case import RATE, TRAINING, HOLD_OUT
 
-SAME_GAP = 0.01        # relative tolerance of a reproduced gap
+SAME_GAP = 0.01        # relative tolerance between two computations of a gap
 UNITS = {"N": 1.0, "kN": 1e3, "MN": 1e6}
 
 
 def replay(binary, config, component, log):
-    """Return the forces [N] of a component on a log."""
+    """Return the forces [N] of a component on a log, from `replay`."""
     with tempfile.TemporaryDirectory() as scratch:
         out = os.path.join(scratch, "out.csv")
         subprocess.run([binary, "--config", config, "--component", component, "--log", log, "--output", out],
@@ -25,13 +25,13 @@ def replay(binary, config, component, log):
 
 
 def write_log(path, columns, digits=9):
-    """Write a log of time [s], displacement [m], force [N] and temperature [degC], the last ones optional."""
+    """Write a log of time [s], displacement [m], and optionally force [N] and temperature [degC]."""
     names = ("time_s", "displacement_m", "force_N", "temperature_degC")[:len(columns)]
     np.savetxt(path, np.column_stack(columns), f"%.{digits}g", ",", header=",".join(names), comments="")
 
 
 def force_along(binary, config, component, time, displacement, digits=9):
-    """Return forces [N] along a motion. Raises subprocess.CalledProcessError if the sheet has no solution."""
+    """Return the forces [N] along a motion. Raises subprocess.CalledProcessError if the data sheet has no solution."""
     with tempfile.TemporaryDirectory() as scratch:
         motion = os.path.join(scratch, "motion.csv")
         write_log(motion, (time, displacement), digits)
@@ -48,14 +48,14 @@ def read_json(path):
 
 
 class Case:
-    """A sealed label with the report on its case."""
+    """A sealed label and the report on its case."""
 
     def __init__(self, label, cases, report):
         self.label, self.folder, self.report_folder = label, os.path.join(cases, label["case"]), report
         self.report = read_json(os.path.join(report, "report.json"))
         self.run = read_json(os.path.join(report, "run.json"))
         self.info = read_json(os.path.join(self.folder, "case.json"))
-        self.further = None  # gaps on further logs, once measured
+        self.further = None  # gaps on further logs, or None before they are computed
 
     def file(self, name):
         """Return the path of a component file of the report, or None if it is missing."""
@@ -63,26 +63,26 @@ class Case:
         return path if os.path.isfile(path) else None
 
     def hold_out_gap(self, binary, config):
-        """Return the gap of a component file on the hold-out logs, as recorded."""
+        """Return the gap of a component file on the held-out logs, as recorded."""
         logs = [os.path.join(self.folder, log) for log in self.info["hold_out"]]
         forces = [(replay(binary, config, self.info["component"], log), recorded_force(log)) for log in logs]
         return gap_of([(rig - force, rig) for force, rig in forces])
 
 
 def recorded_force(path):
-    """Return the force [N] of a log in the format of the rigs."""
+    """Return the force [N] of a log as the rigs write it."""
     with open(path, encoding="utf-8") as file:
         unit = file.readline().strip().split(",")[2].split("_")[1]
     return np.loadtxt(path, delimiter=",", skiprows=1, usecols=2) * UNITS[unit]
 
 
 def gap_of(parts):
-    """Return the gap of [(difference, force)] over several logs."""
+    """Return the gap over several logs, given as [(difference, force)]."""
     return math.sqrt(np.mean([np.mean(d**2) / np.var(f) for d, f in parts]))
 
 
 def is_found_again(binary, case):
-    """Return whether `replay` of augmented.yaml reproduces the gap on the hold-out logs; None without the file."""
+    """Return True if `replay` of augmented.yaml gives the reported gap on the held-out logs, None without that file."""
     config = case.file("augmented")
     if config is None or not case.info["hold_out"]:
         return None
@@ -97,7 +97,7 @@ def is_found_again(binary, case):
 
 
 def re_estimated(file, component, ratios):
-    """Return the component file (JSON, which is YAML) of a label's `file`, with values times the report's ratios."""
+    """Return a label's component `file` with its values times the report's ratios (as JSON, which is YAML)."""
     used = set()
 
     def times(key, value):
@@ -115,7 +115,7 @@ def re_estimated(file, component, ratios):
 
 
 def write_further(sealed, ambient, folder):
-    """Write the sealed further logs; return [(path, force [N])]. `ambient` is the temperature if it is an effect."""
+    """Write the further logs; return [(path, force [N])]. `ambient` is the temperature if it is the effect."""
     stored, out = np.load(sealed), []
     for i in range(sum(name.startswith("further_") and name.endswith("_force") for name in stored.files)):
         z, force = (stored[f"further_{i + 1}_{what}"].astype(float) for what in ("displacement", "force"))
@@ -130,11 +130,11 @@ def write_further(sealed, ambient, folder):
 
 
 def further_gaps(binary, case, sealed):
-    """Return the gaps of {re_estimated, augmented, surrogate} on the further logs, and whether the re-estimated
-    component agrees with the report: its `replay` reproduces the gap on the hold-out logs.
+    """Return the gaps of {re_estimated, augmented, surrogate} on the further logs, and whether `replay` of the
+    re-estimated component gives the reported gap on the held-out logs.
 
     An offset of the force is removed from each log, as in reports, unless the report names an offset. A drift or a gain
-    that is new in each log cannot be predicted, so a report that names one has no gap of the augmented component.
+    that is new in each log cannot be predicted. A report that names one has no gap of the augmented component.
     """
     report, component = case.report, case.info["component"]
     ratios = {k: v for k, v in report["own_parameters"]["ratio_to_configured"].items() if v is not None}

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Runs `diagnose` on the cases of a blind trial with a time limit, and records time and peak memory of each. It reads
-# the cases only, never the labels.
+# the cases only, and never the labels.
 """Run a diagnosis over all cases of a blind trial."""
 import argparse
 import concurrent.futures
@@ -15,11 +15,11 @@ import threading
 import time
 
 
-DEFECT = 3  # exit status of a report that contradicts itself
+DEFECT = 3  # exit status if the report contradicts itself
 
 
 def description(folder):
-    """Return the content of case.json, or else the component and the logs log_*.csv of the folder."""
+    """Return the content of case.json or, without that file, the component and the logs log_*.csv of the folder."""
     path = os.path.join(folder, "case.json")
     if os.path.isfile(path):
         with open(path, encoding="utf-8") as file:
@@ -35,7 +35,7 @@ def command(binary, folder, report_folder, evidence):
     case = description(folder)
     out = [binary, "--config", os.path.join(folder, "component.yaml"), "--component", case["component"],
            "--output", report_folder] + ["--evidence"] * evidence
-    if case.get("table"):  # the sheet is wrong by some factor, the units are right
+    if case.get("table"):  # the data sheet is wrong by some factor, not the units
         return out + ["--accept-units", "--from-table", os.path.join(folder, case["table"])]
     for option, key in (("--log", "logs"), ("--hold-out", "hold_out")):
         for log in case[key]:

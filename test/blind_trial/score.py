@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Compares the statements of reports beside the verdict with the sealed labels: rules of every report, gaps that
-# `replay` reproduces, the share closed on further logs, time and memory. judge_again counts right verdicts.
+# Compares what reports state beside the verdict with the sealed labels: the rules of reports, gaps that `replay` gives,
+# the share closed on further logs, time and memory. judge_again counts the right verdicts.
 """Score the reports of a blind trial."""
 import argparse
 import json
@@ -19,7 +19,7 @@ def known(values):
 
 
 def rate(flags):
-    """Return {hits, of, rate, interval_95} with Wilson's interval; flags that are None do not count."""
+    """Return {hits, of, rate, interval_95} with Wilson's interval. Flags that are None are not counted."""
     flags = [bool(flag) for flag in known(flags)]
     n, k = len(flags), sum(flags)
     if n == 0:
@@ -31,7 +31,7 @@ def rate(flags):
 
 
 def median(values):
-    """Return {value: median, of: count}."""
+    """Return the median and the number of values as {value, of}."""
     values = known(values)
     return {"value": float(np.median(values)) if values else None, "of": len(values)}
 
@@ -47,14 +47,14 @@ def text(figure):
 
 
 def closed_on_further(case, what="augmented"):
-    """Return the fraction of the gap that a component file closes on further logs; a perfect model has 1."""
+    """Return the fraction of the gap that a component file closes on further logs, which is 1 for a perfect model."""
     gaps = case.further or {}
     span = gaps.get("re_estimated", 0.0) - case.label["noise"].get("floor_further", 0.0)
     return min(1.0, (gaps["re_estimated"] - gaps[what]) / span) if what in gaps and span > 0.0 else None
 
 
 def is_covered(case):
-    """Return whether interval_95 of the report contains that fraction; None if the report names nothing."""
+    """Return True if interval_95 contains the fraction closed on further logs, None if the report names no effect."""
     closed = closed_on_further(case)
     if closed is None or not case.report["effects"]:
         return None
@@ -63,7 +63,7 @@ def is_covered(case):
 
 
 def measure_further(binary, cases, labels):
-    """Set `further` of each case with further logs and gaps in its report, or `error` there if replay fails."""
+    """Set the attribute `further` of each case with further logs to their gaps, or to `error` if replay fails."""
     for case in cases:
         if "file" in case.label and case.report and case.report["verdict"] not in ("check_bench", "defect"):
             try:
@@ -73,7 +73,7 @@ def measure_further(binary, cases, labels):
 
 
 def rows_of(cases, binary):
-    """Return (name, figure) of each row of the table."""
+    """Return the rows of the table as (name, figure)."""
     reports = [case.report for case in cases if case.report]
     rows = [("cases with a report", rate(case.report is not None for case in cases)),
             ("reports without a defect", rate(report["verdict"] != "defect" for report in reports))]
@@ -91,7 +91,7 @@ def rows_of(cases, binary):
 
 
 def cost_of(cases):
-    """Return time and memory of the diagnoses."""
+    """Return the time and the memory that the diagnoses took."""
     runs = known(case.run for case in cases)
     if not runs:
         return {}
@@ -103,7 +103,7 @@ def cost_of(cases):
 
 
 def score(cases, binary=None):
-    """Return all figures as a dict for JSON."""
+    """Return all figures as a dictionary for JSON."""
     by_case = [{"case": case.label["case"], "further": case.further,
                 "verdict": case.report["verdict"] if case.report else "missing"} for case in cases]
     return {"rows": dict(rows_of(cases, binary)), "cost": cost_of(cases), "by_case": by_case}

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Coverage of the 95 % intervals that a report gives for the sizes of effects, on new benches whose laws differ in form
-# from the fitted ones; the truth is the number that a law of the list would have to give.
+# Computes how often the 95 % interval of the size of an effect contains the true size, on new benches. Their laws have
+# another form than the fitted ones. The true size is the number that the listed law would need.
 """Coverage of sizes. Usage: size_coverage.py FOLDER --diagnose PATH --replay PATH [--benches 60] [--seed 2] [--jobs 1]
 
 Prints by kind and pooled how many sizes of effects that were named lie in their interval. Benches that FOLDER has
@@ -19,8 +19,8 @@ from replayed import force_along, write_log
 RATE = 250.0
 SECONDS = 20.0
 TIME = np.arange(0.0, SECONDS, 1.0 / RATE)
-STIFFNESS = 1.2e6  # of the base [N/m]; sizes are of this order
-SHEET_ERROR = 0.1  # standard deviation of the numbers of a data sheet, equal to its tolerance
+STIFFNESS = 1.2e6  # of the base component [N/m]; sizes are of this order
+SHEET_ERROR = 0.1  # standard deviation of the data sheet's numbers, equal to its tolerance
 SHEET = """components:
   bush:
     model: maxwell
@@ -33,7 +33,7 @@ SHEET = """components:
 
 
 def motions(rng):
-    """Return displacements [m]; the last log is held out."""
+    """Return the displacements of the logs [m]. The last log is held out."""
     fade = np.clip(np.minimum(TIME, SECONDS - TIME) / 0.5, 0.0, 1.0)
 
     def sines(largest):
@@ -49,9 +49,9 @@ def motions(rng):
 # ---- laws: (rng) -> {size: truth}, and either an added force or a function of the motion or of the force ------------
 
 def dahl(rng):
-    """Friction whose slope falls with another power than any fitted one."""
+    """Friction whose slope falls with another power than that of any fitted law."""
     force, slip, power = rng.uniform(120, 300), rng.uniform(0.03e-3, 0.2e-3), rng.uniform(0.7, 1.4)
-    # The displacement from a reversal at the limit to zero force is half of that from rest, by Masing's rule.
+    # By Masing's rule, the displacement from a reversal at the limit to zero force is half of that from rest.
     half = 0.5 * slip * (np.log(2.0) if abs(power - 1) < 1e-9 else (1 - 2.0 ** (1 - power)) / (power - 1))
 
     def law(z):
@@ -66,7 +66,7 @@ def dahl(rng):
 
 
 def stop(rng):
-    """A rubber stop whose force grows with a power of the depth."""
+    """A rubber stop whose force is a power of the depth."""
     gap, power = rng.uniform(1.0e-3, 1.6e-3), rng.uniform(1.1, 1.9)
     most = rng.uniform(0.4, 1.0) * 1500.0
 
@@ -77,7 +77,7 @@ def stop(rng):
 
 
 def spectrum(low, high, total):
-    """Closely spaced Maxwell elements over a band, with exact steps."""
+    """Closely spaced Maxwell elements in a band, with exact steps."""
     rates = 2 * np.pi * np.geomspace(low, high, 9)
 
     def law(z):
@@ -92,7 +92,7 @@ def spectrum(low, high, total):
 
 
 def relaxation(rng):
-    """Relaxation slower than the element of the base, so that the values of the base cannot imitate it."""
+    """Relaxation that is slower than the element of the base, so that the base's values cannot imitate it."""
     total = rng.uniform(0.15, 0.35) * STIFFNESS
     low = rng.uniform(0.1, 0.2)
     return {"stiffness": total}, spectrum(low, 6.0 * low, total), None
@@ -105,7 +105,7 @@ def creep(rng):
 
 
 def mass(rng):
-    """A fixture on a slightly flexible joint, with a resonance far above the motion."""
+    """A fixture on a slightly flexible joint, whose resonance is far above the frequencies of the motion."""
     m, resonance = rng.uniform(8.0, 25.0), 2 * np.pi * rng.uniform(60.0, 100.0)
 
     def law(z):
@@ -117,14 +117,14 @@ def mass(rng):
 
 
 def play(rng):
-    """Play between rounded faces."""
+    """Free play between rounded faces."""
     gap, rounding = rng.uniform(0.05e-3, 0.15e-3), rng.uniform(0.1, 0.4)
     width = rounding * gap
     return {"gap": gap}, "play", lambda z: z + 0.5 * (np.hypot(z - gap, width) - np.hypot(z + gap, width))
 
 
 def delay(rng):
-    """A second-order filter of the force, whose delay at low frequencies is the truth."""
+    """A second-order filter of the force. Its delay at low frequencies is the true value."""
     late = rng.uniform(2e-3, 5e-3)
     rate = 2.0 / late
     return {"delay": late}, "filter", lambda f: np.fft.irfft(
@@ -139,7 +139,7 @@ def write_bench(folder, kind, rng, replay):
     os.makedirs(folder, exist_ok=True)
     values = np.array([1e6, 1.3e6, 3.0])
     sheet = values * rng.normal(1.0, SHEET_ERROR, 3)
-    while sheet[1] < 1.05 * sheet[0]:  # the model has no solution
+    while sheet[1] < 1.05 * sheet[0]:  # repeat while the model has no solution
         sheet = values * rng.normal(1.0, SHEET_ERROR, 3)
     for name, numbers in (("true", values), ("component", sheet)):
         with open(f"{folder}/{name}.yaml", "w", encoding="utf-8") as file:
@@ -172,7 +172,7 @@ def run(folder, number, kind, options):
 
 
 def sizes(truth, report):
-    """Return (name, truth, reported size) of each size that the report gives of the effect."""
+    """Return (name, true size, reported size) of each size that the report states for the effect."""
     if truth["kind"] not in report["effects"]:
         return []
     found = {s["name"]: s for s in report["effect_sizes"] if s["owner"] == truth["kind"]}

@@ -1,6 +1,6 @@
-# A very small blind trial from generation to figures, and wrong data sheets.
-# whole_trial_test.py FOLDER: the folder of the commands `diagnose`, `judge_again` and `replay`.
-"""Tests of the blind trial with the commands."""
+# Tests a very small blind trial from the generation of cases to the figures, and wrong data sheets.
+# Usage: whole_trial_test.py FOLDER. The folder contains the commands `diagnose`, `judge_again` and `replay`.
+"""Tests of the blind trial with the real commands."""
 import filecmp
 import os
 import re
@@ -21,12 +21,12 @@ REPLAY = os.path.join(PROGRAMS, "replay")
 
 
 def script(name, *words):
-    """Return the output of a script of this folder."""
+    """Return the output of a script in this folder."""
     return subprocess.run([os.path.join(HERE, name), *words], check=True, capture_output=True, text=True).stdout
 
 
 class TrialTest(unittest.TestCase):
-    """Three cases of the bank with short logs, on a bench."""
+    """Tests of three cases with short logs and faults of a bench."""
 
     @classmethod
     def setUpClass(cls):
@@ -68,7 +68,7 @@ class TrialTest(unittest.TestCase):
 
 
 class WrongSheetsTest(unittest.TestCase):
-    """One bench of each model with a wrong sheet."""
+    """Tests of one bench of each model with a wrong data sheet."""
 
     def write(self, folder):
         cases = os.path.join(folder, "cases")
@@ -83,8 +83,8 @@ class WrongSheetsTest(unittest.TestCase):
                     measured = replayed.recorded_force(log)
                     simulated = replayed.replay(REPLAY, case + "/component.yaml", "bush", log)
                     gap = np.std(measured - simulated) / np.std(measured)
-                    self.assertGreater(gap, wrong_sheets.NOISE)  # the sheet is wrong,
-                    self.assertLess(gap, 4.0 * wrong_sheets.OFF["static_stiffness"])  # by usual errors
+                    self.assertGreater(gap, wrong_sheets.NOISE)  # the sheet is wrong
+                    self.assertLess(gap, 4.0 * wrong_sheets.OFF["static_stiffness"])  # by errors of usual size
 
     def test_are_the_same_of_the_same_seed(self):
         with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as other:

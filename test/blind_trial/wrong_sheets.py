@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Benches without a missing effect: each component is exactly its model, and only its data sheet is wrong. With --gain,
-# the gain of the force sensor is wrong as well, and the errors of the sheet are smaller.
+# Benches without a missing effect: the model describes each component exactly, and only its data sheet is wrong. With
+# --gain, the gain of the force sensor is wrong too, and the errors of the sheet are smaller.
 """Cases of wrong data sheets. Usage: wrong_sheets.py OUTPUT --replay PATH [--cases 60] [--seed 21] [--gain] [--jobs 1]
 
 Cases and labels as generate.py writes them, for run.py and judge_again.
@@ -17,7 +17,7 @@ from replayed import force_along, write_log
 
 RATE = 500.0
 TIME = np.arange(0.0, 20.0, 1.0 / RATE)
-# Numbers of the true data sheet for each model.
+# Numbers of the true data sheet of each model.
 STIFFNESSES = {"static_stiffness": 0.95e6, "dynamic_stiffness": 1.3e6}
 OPERATING_POINT = {"nominal_frequency": 5.0, "nominal_amplitude": 1e-3}
 MODELS = {
@@ -26,11 +26,11 @@ MODELS = {
     "maxwell": {**STIFFNESSES, "maximum_stiffness": 1.45e6},
     "maxwell_dashpot": {**STIFFNESSES, "break_frequency": 8.0, "relative_damping": 0.27},
 }
-# Standard deviations of a sheet. The operating point, and damping read from a loop, are exact.
+# Standard deviations of the numbers of a sheet. The operating point, and damping taken from a loop, have no error.
 OFF = {"static_stiffness": 0.1, "dynamic_stiffness": 0.1, "maximum_stiffness": 0.1, "high_frequency": 0.05}
-OFF_BESIDE_GAIN = 0.3  # factor on these if the gain is wrong
-GAINS = (1.03, 1.5)  # or their inverses
-NOISE, ZERO, JITTER = 0.005, 0.01, 0.5e-6  # of the force's RMS; the same; of the displacement [m]
+OFF_BESIDE_GAIN = 0.3  # factor on all of OFF if the gain is wrong
+GAINS = (1.03, 1.5)  # or their reciprocals
+NOISE, ZERO, JITTER = 0.005, 0.01, 0.5e-6  # relative to the RMS force; the same; of the displacement [m]
 
 
 def write_component(path, model, values):
@@ -43,7 +43,7 @@ def write_component(path, model, values):
 
 
 def motions(rng):
-    """Return displacements [m]; the last log is held out."""
+    """Return the displacements of the logs [m]. The last log is held out."""
     fade = np.clip(np.minimum(TIME, TIME[-1] - TIME) / 0.5, 0.0, 1.0)
     tones = zip((1.2, 0.8, 0.5, 0.3), (0.5, 2.1, 5.3, 11.0), rng.uniform(0.0, 2.0 * np.pi, 4))
     sines = sum(a * np.sin(2.0 * np.pi * f * TIME + phase) for a, f, phase in tones)
@@ -74,7 +74,7 @@ def write_case(number, options):
     write_component(config, model, MODELS[model])
     forces = {log: force_along(options.replay, config, "bush", TIME, z) for log, z in logs.items()}
     share = OFF_BESIDE_GAIN if options.gain else 1.0
-    while True:  # until the sheet has a solution
+    while True:  # repeat until the sheet has a solution
         sheet = {key: value * (1.0 + share * OFF.get(key, 0.0) * rng.standard_normal()) for key, value in MODELS[model].items()}
         write_component(config, model, sheet)
         if has_solution(options.replay, config, logs["road"]):

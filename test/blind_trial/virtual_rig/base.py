@@ -1,5 +1,5 @@
-# The rubber component of the virtual rig: spring, Maxwell elements, dashpot and Berg friction, and their parameters
-# from the five numbers of a specification (Polach 2015; Berg 1997). This Python code shares nothing with the package.
+# The rubber component of the virtual rig: spring, Maxwell elements, dashpot and Berg friction, with parameters from the
+# five numbers of a specification (Polach 2015; Berg 1997). This Python code is independent of the package.
 """Base components of the virtual rigs [SI]."""
 import dataclasses
 import math
@@ -9,17 +9,17 @@ from scipy.optimize import brentq
 from scipy.signal import lfilter
 
 
-FRICTION_RATE = 500.0  # the rate of the logs [Hz]
+FRICTION_RATE = 500.0  # sampling rate of the logs [Hz]
 
 
 class Unsolvable(ValueError):
-    """The specification has no solution."""
+    """Raised if the specification has no solution."""
 
 
 def berg_response(z, z2, dead_band=0.0):
-    """Return the force of Berg's element over F_max along the displacement z [m], starting from rest.
+    """Return the force of Berg's element divided by F_max along the displacement z [m], starting from rest.
 
-    A reversal counts once the motion has moved back from its extremum by more than the dead band [m].
+    A reversal counts if the motion has moved back from its extremum by more than the dead band [m].
     """
     out = np.empty_like(z)
     z_s, f_s, direction, extremum = float(z[0]), 0.0, 0, float(z[0])
@@ -36,7 +36,7 @@ def berg_response(z, z2, dead_band=0.0):
 
 
 def _branch(way, start, direction, z2):
-    """Return the force over F_max at a distance `way` from the last reversal, where it was `start`."""
+    """Return the force divided by F_max at a distance `way` from the last reversal, where this ratio was `start`."""
     room = 1.0 - direction * start
     return start + way * room / (z2 * room + direction * way)
 
@@ -54,7 +54,7 @@ class Base:
     dead_band: float = 0.0
 
     def parts(self, z, rate):
-        """Return the elastic force and all other force [N], each a list over the logs z [m] sampled at `rate` [Hz]."""
+        """Return lists of the elastic force and of all other force [N], for logs z [m] with a sampling `rate` [Hz]."""
         elastic = [self.k0 * x for x in z]
         rest = [self._memory(x, rate) for x in z]
         return elastic, rest
@@ -73,7 +73,7 @@ class Base:
         return rest
 
     def tangent(self, z, rate):
-        """Return the derivatives of the force by all parameters, as a (samples x parameters) matrix for each log."""
+        """Return the derivatives of the force with respect to all parameters, as a matrix per log."""
         matrices = []
         for x in z:
             columns = [x]
@@ -90,7 +90,7 @@ class Base:
         return matrices
 
     def scaled(self, rng, spread):
-        """Return a copy with an independent factor on each parameter, and the factors."""
+        """Return a copy in which each parameter has an independent factor, and the factors."""
         def factor():
             return float(np.exp(rng.choice([-1.0, 1.0]) * rng.uniform(0.4, 1.0) * math.log1p(spread)))
         factors = {"k0": factor(), "k": [factor() for _ in self.k], "tau": [factor() ** 2 for _ in self.tau]}
@@ -108,17 +108,17 @@ class Base:
 
 
 def maxwell_response(z, tau, rate):
-    """Return force over stiffness of a Maxwell element, exact for displacement [m] that is linear between samples."""
+    """Return the force of a Maxwell element divided by its stiffness, exact for linear motion [m] between samples."""
     decay = -1.0 / (rate * tau)
     gain = -np.expm1(decay) / -decay
     return lfilter([gain], [1.0, -math.exp(decay)], np.diff(z, prepend=z[0]))
 
 
 def friction_on_grid(z, z2, rate, dead_band):
-    """Return Berg's element at up to FRICTION_RATE, linear in between.
+    """Return the force of Berg's element divided by F_max, computed at up to FRICTION_RATE and linear in between.
 
-    It stores only the last reversal, so a small reversal between two samples of a log would shift all later forces. The
-    base has to agree with its model, so it uses the samples of the log.
+    The element stores the last reversal only, so a small reversal between two samples of a log would shift all later
+    forces. The base must agree with its model, so it uses the samples of the log.
     """
     skip = max(1, int(round(rate / FRICTION_RATE)))
     if skip == 1:
@@ -131,12 +131,12 @@ def friction_on_grid(z, z2, rate, dead_band):
 
 
 def from_specification(model, s):
-    """Return the base of a component file's `model` with specification `s` (a dict, SI). Raises Unsolvable."""
+    """Return the base for a `model` of a component file and a specification `s` (a dict, SI). Raises Unsolvable."""
     return {"maxwell": maxwell, "maxwell_dashpot": maxwell_dashpot, "berg": berg, "multi_maxwell": multi_maxwell}[model](s)
 
 
 def multi_maxwell(s):
-    """Polach Eqs. 17-22 with the low edge f_l = n f_h / 10^(n-1)."""
+    """Return the base by Polach's Eqs. 17-22, with f_l = n f_h / 10^(n-1) for the low edge of the band."""
     n = int(s["maxwell_elements"])
     low_k, mid_k, high_k = s["static_stiffness"], s["dynamic_stiffness"], s["maximum_stiffness"]
     f_n, f_h = s["nominal_frequency"], s["high_frequency"]
@@ -164,7 +164,7 @@ def multi_maxwell(s):
 
 
 def maxwell(s):
-    """One Maxwell element from K_n at f_n and K_max: |K|^2 = (K_st^2 + u K_max^2)/(1+u), u = (f_n/f_b)^2."""
+    """Return one Maxwell element from K_n at f_n and K_max: |K|^2 = (K_st^2 + u K_max^2)/(1+u), u = (f_n/f_b)^2."""
     low_k, mid_k, high_k = s["static_stiffness"], s["dynamic_stiffness"], s["maximum_stiffness"]
     if not low_k < mid_k < high_k:
         raise Unsolvable("stiffnesses do not increase")
@@ -173,7 +173,7 @@ def maxwell(s):
 
 
 def maxwell_dashpot(s):
-    """Real and imaginary part of K at f_n with a given break frequency."""
+    """Return the base whose K at f_n has the specified real and imaginary part, for a given break frequency."""
     low_k, mid_k, delta = s["static_stiffness"], s["dynamic_stiffness"], s["loss_angle"]
     f_n, r = s["nominal_frequency"], s["nominal_frequency"] / s["break_frequency"]
     k1 = (mid_k * math.cos(delta) - low_k) * (1 + r * r) / (r * r)
@@ -184,14 +184,14 @@ def maxwell_dashpot(s):
 
 
 def berg_steady_state(z0, z2):
-    """Return peak force and loss energy, both over F_max, of a settled loop of amplitude z0."""
+    """Return peak force and loss energy of a settled loop of amplitude z0, both divided by F_max."""
     peak = (math.sqrt(z2 * z2 + z0 * z0 + 6.0 * z2 * z0) - z2 - z0) / (2.0 * z2)
     near = z2 * (1.0 + peak)
     return peak, 2.0 * (2.0 * z0 - near * (1.0 + peak) * math.log1p(2.0 * z0 / near))
 
 
 def berg(s):
-    """Berg friction and one Maxwell element that share the loss energy at (f_n, A_n) in the ratio four to one."""
+    """Return Berg friction and one Maxwell element, which share the loss energy at (f_n, A_n) four to one."""
     low_k, mid_k, delta, a = s["static_stiffness"], s["dynamic_stiffness"], s["loss_angle"], s["nominal_amplitude"]
     share = 0.2
     r = s["nominal_frequency"] / s["break_frequency"]

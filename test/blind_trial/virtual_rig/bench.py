@@ -1,22 +1,22 @@
 # Errors that a bench adds to a log: offsets, a recording that starts in motion, spikes, coloured noise, gain, delay and
 # held values.
-"""Faults of the bench, applied to finished logs."""
+"""Faults of a bench, applied to finished logs."""
 import numpy as np
 
-# Values at size 1; sizes of 0.5 and 2 are half and twice as much.
+# Values for a `size` of 1. Sizes of 0.5 and 2 give half and twice as much.
 NUISANCES = {
-    "zeros": 0.03,          # of the range of either channel, new in each log
-    "running_start": 0.10,  # share of the log that is cut off its beginning, so that it starts in motion
+    "zeros": 0.03,          # share of the range of either channel, new in each log
+    "running_start": 0.10,  # share of the log that is cut off at its beginning, so that it starts in motion
     "spikes": 3,            # samples per log, of 3 to 10 standard deviations, in either channel
-    "pink": 0.005,          # noise of 1/f, of the force's standard deviation
-    "gain": 0.003,          # of the force transducer, the same in all logs
-    "delay": 0.25,          # of the sampling interval, force late or early, new in each log; a common one is an effect
-    "held": 0.002,          # share of the samples that repeat the one before, in runs of 5 to 20, force only
+    "pink": 0.005,          # standard deviation of 1/f noise, relative to that of the force
+    "gain": 0.003,          # relative error of the force sensor, equal in all logs
+    "delay": 0.25,          # share of the time step; late or early, new in each log (a common delay is an effect)
+    "held": 0.002,          # share of the force samples that repeat the previous sample, in runs of 5 to 20
 }
 
 
 def apply(logs, names, size, rng):
-    """Return the logs with these faults, and a record of them for the label."""
+    """Return the logs with these faults, and a description of the faults for the label."""
     unknown = [name for name in names if name not in NUISANCES]
     if unknown:
         raise ValueError(f"no fault of a bench: {unknown}; known are {sorted(NUISANCES)}")
@@ -32,7 +32,7 @@ def apply(logs, names, size, rng):
 
 
 def running_start(z, f, size, rng, common):
-    """Cut the log where the motion is fast: at the first large speed after that share of the log."""
+    """Cut the log at the first large speed after its share `running_start`."""
     earliest = int(NUISANCES["running_start"] * size * len(z) * rng.uniform(0.5, 1.0))
     speed = np.abs(np.gradient(z))
     fast = np.flatnonzero(speed[earliest:len(z) // 2] > np.sqrt(np.mean(speed**2)))
@@ -57,7 +57,7 @@ def pink(z, f, size, rng, common):
 
 
 def pink_noise(rng, n):
-    """Return noise of standard deviation 1 with a 1/f spectrum down to the length of the log."""
+    """Return noise with a standard deviation of 1 and a 1/f spectrum down to the length of the log."""
     spectrum = np.fft.rfft(rng.standard_normal(n))
     k = np.arange(len(spectrum))
     spectrum[1:] /= np.sqrt(k[1:])

@@ -1,5 +1,5 @@
-# One case of the trial: draws component, programme, effects and noise, runs the rig, writes the folder and the label.
-# Everything depends on seed and number only; the label is in another folder, hidden from the diagnosis.
+# One case of the trial: draws component, programme, effects and noise, runs the rig, and writes the folder and the
+# label. All draws depend on seed and number only. The label is in another folder, hidden from the diagnosis.
 """Cases of the blind trial."""
 import dataclasses
 import json
@@ -13,28 +13,28 @@ from . import excitation, form_error, laws
 from .effect import Scale
 from .rig import Rig, Ruler, gap
 
-RATE = 500.0          # of the logs [Hz]
+RATE = 500.0          # sampling rate of the logs [Hz]
 FINE = 4              # samples of the rig's grid per sample of a log
 TRAINING, HOLD_OUT = 6, 2
 SEEN = TRAINING + HOLD_OUT  # logs that a diagnosis sees
-BANK = 11             # of the seeds
-# With form error: RMS error of each law, probability of a mixed law, additional stiffness of the base.
+BANK = 11             # part of all seeds
+# For rigs with form error: RMS error of each law, probability of a mixed law, additional stiffness of the base.
 FORM_ERROR, MIXED, BASE_ERROR = (0.10, 0.30), 0.5, (0.02, 0.10)
 
 
 NAMES = ("left_secondary", "right_secondary", "bush_1", "engine_mount", "emergency_spring", "chevron", "traction_rod",
          "primary_spring", "torsion_bush", "yaw_damper_mount", "strut_mount", "conical_spring")
 
-# Families of components: stiffness [N/m], largest amplitude [m].
+# Families of components, with ranges of stiffness [N/m] and of the largest amplitude [m].
 FAMILIES = (((1e5, 6e5), (3e-4, 1.5e-3)), ((8e5, 6e6), (3e-4, 2e-3)), ((5e5, 1.2e7), (1e-3, 6e-3)),
             ((3e5, 3e6), (5e-3, 2e-2)))
 
-# Pairs that no log can distinguish from one effect, or that cancel each other.
+# Pairs that no log can distinguish from a single effect, or whose effects cancel each other.
 HOPELESS = ({"relaxation", "creep"}, {"relaxation", "series_compliance"}, {"viscous_damping", "time_delay"},
             {"relaxation", "viscous_damping"}, {"creep", "force_drift"}, {"force_offset", "asymmetric_stiffness"},
             {"creep", "series_compliance"}, {"force_offset", "force_drift"}, {"progressive_stiffness", "bump_stop"},
-            {"friction", "backlash"}, {"inertia", "fluid_inertia"})  # one contains the other
-# Coupling is named only if no two effects explain the gap; a contact needs its own programmes.
+            {"friction", "backlash"}, {"inertia", "fluid_inertia"})  # the second effect contains the first
+# Coupling is named only if no two effects explain the gap, and a contact needs its own programmes. So both are single.
 ALONE = ("rate_amplitude_coupling", "lift_off")
 PAIRED = [effect for effect in laws.EFFECTS if effect not in ALONE]
 
@@ -74,7 +74,7 @@ def draw_pair(rng):
 
 
 def draw_specification(rng, effects):
-    """Return (model, specification, base, amplitude) of a component that its model describes exactly."""
+    """Draw (model, specification, base, amplitude) of a component that its model describes exactly."""
     model, extra = draw_model(rng, effects)
     for _ in range(1000):
         family = FAMILIES[int(rng.integers(len(FAMILIES)))]
@@ -101,14 +101,14 @@ def draw_specification(rng, effects):
 
 
 def draw_model(rng, effects):
-    """Draw a model without the effects: more Maxwell elements show on models with few, friction not on Berg's."""
+    """Draw a model without the effects. Additional Maxwell elements show best on models with few."""
     names, weights = ["multi_maxwell_5", "multi_maxwell_3", "maxwell", "berg", "maxwell_dashpot"], [5, 4, 1.5, 1.5, 0.5]
     if "relaxation" in effects:
         weights = [0.7, 2.0, 5, 1.0, 0]
     if "series_compliance" in effects:
         weights = [1.5, 1.0, 0.5, 5, 0]
     if "lift_off" in effects:
-        weights[4] = 0  # as it would be behind a compliance
+        weights[4] = 0  # a dashpot would act as behind a compliance
     if "friction" in effects:
         weights[3] = 0
     if "viscous_damping" in effects:
@@ -120,7 +120,7 @@ def draw_model(rng, effects):
 
 
 def wrong_specification(rng, model, s, spread):
-    """Return a solvable specification off by up to `spread`, with the factors and the base."""
+    """Return a specification with a solution whose values are off by up to `spread`, their factors, and the base."""
     for _ in range(200):
         factors = {k: float(np.exp(rng.choice([-1, 1]) * rng.uniform(0.2, 1.0) * math.log1p(spread)))
                    for k in s if k not in ("maxwell_elements", "nominal_amplitude")}
@@ -136,7 +136,7 @@ def wrong_specification(rng, model, s, spread):
 
 
 def draw_logs(rng, amplitude, further, duration):
-    """Return displacements on the fine grid, their kinds and the actuator."""
+    """Return the displacements on the fine grid, their kinds, the programme, the repeated log and the actuator."""
     rig = excitation.Actuator(rng, amplitude, RATE * FINE)
     kinds, held, programme, repeat = excitation.draw_programme(rng, rig, TRAINING, HOLD_OUT + further)
     z = [excitation.make(rng, rig, k, duration * float(int(rng.uniform(30.0, 60.0)))) for k in kinds + held]
@@ -146,7 +146,7 @@ def draw_logs(rng, amplitude, further, duration):
 
 
 def loaded_to_one_side(rng, z, amplitude, rate):
-    """Return the programme about preloads of one sign, one per log; without a preload no contact stays closed."""
+    """Shift each log to a preload of one sign, because without a preload no contact stays closed."""
     side = rng.choice([-1.0, 1.0])
     rise = 0.5 - 0.5 * np.cos(np.pi * np.minimum(np.arange(max(len(x) for x in z)) / rate, 1.0))
     return [x + side * amplitude * rng.uniform(0.4, 0.9) * rise[:len(x)] for x in z]
@@ -158,8 +158,8 @@ def loaded_to_one_side(rng, z, amplitude, rate):
 def build(seed, number, kind, effect_names, small, further=0, duration=1.0, inexact=False):
     """Build a case in memory: a dict with logs, component file and label.
 
-    `further` logs are of the same rig but hidden from the diagnosis; `duration` is a share of the usual 30 to 60 s.
-    `inexact` rigs have form errors and a base with more relaxation than its model.
+    `further` is the number of logs of the same rig that are hidden from the diagnosis, `duration` a share of the usual
+    30 to 60 s. `inexact` rigs have form errors, and a base with more relaxation than its model.
     """
     rng = np.random.default_rng(np.random.SeedSequence([BANK, seed, number]))
     wanted = rng.uniform(0.028, 0.034) if small else laws.log_uniform(rng, 0.05, 0.30)
@@ -168,7 +168,7 @@ def build(seed, number, kind, effect_names, small, further=0, duration=1.0, inex
     attempts = (arrange(rng, effect_names, wanted, by_visible, further, duration, form) for _ in range(4))
     case = dict(best_of(attempts, wanted, 0.85 if by_visible else 0.3), rng=rng, kind=kind, wanted=wanted,
                 by_visible=by_visible, further=further)
-    # One component in eight is described by its elements, more often if it has friction.
+    # One component in eight is described by its elements. With friction the share is larger.
     share = {"berg": 0.6, "maxwell_dashpot": 0.3}.get(case["model"], 0.12)
     case["as_elements"] = bool(rng.random() < share)
     apply_parameter_error(case)
@@ -177,7 +177,7 @@ def build(seed, number, kind, effect_names, small, further=0, duration=1.0, inex
 
 
 def best_of(attempts, wanted, enough):
-    """Return the first rig whose effects reach enough of the wanted gap, or the one that comes closest."""
+    """Return the first rig whose effects have enough of the wanted gap, or else the rig that comes closest."""
     best, most = None, -1.0
     for attempt in attempts:
         reached = attempt["visible"] / wanted if attempt["effects"] else 1.0
@@ -189,7 +189,7 @@ def best_of(attempts, wanted, enough):
 
 
 def draw_effect(rng, scale, name, form):
-    """Draw an effect by one of its laws, with form error if `form` is a generator."""
+    """Draw one of the laws of an effect. It gets a form error if `form` is a generator."""
     effect = laws.draw(rng, scale, name)
     if form is None:
         return effect
@@ -198,7 +198,7 @@ def draw_effect(rng, scale, name, form):
 
 
 def arrange(rng, effect_names, wanted, by_visible, further, duration, form):
-    """Draw component, programme and effects, and find the strengths."""
+    """Draw component, programme and effects, and find the strengths of the effects."""
     model, specification, base, amplitude = draw_specification(rng, effect_names)
     if form is not None:
         base = form_error.off_ladder(form, base, form.uniform(*BASE_ERROR), 10.0, 0.005)
@@ -221,14 +221,14 @@ def arrange(rng, effect_names, wanted, by_visible, further, duration, form):
 
 
 def strength_of(ruler, effect, wanted, by_visible):
-    """Return the strength from the ruler; a contact gets the full strength, because less of it is a compliance."""
+    """Return the strength for the wanted gap. A contact gets its full strength; less would be a compliance."""
     if effect.stage == "contact":
         return effect.strongest, ruler.gaps({id(effect): effect.strongest})
     return ruler.strength_for(effect, wanted, by_visible)
 
 
 def scale_of(z, rate, stiffness, force, top_frequency):
-    """Return sizes of the logs that a diagnosis sees, and the lengths of all logs."""
+    """Return the sizes of motion and force in the logs that a diagnosis sees, and the lengths of all logs."""
     seen = z[:SEEN]
     peaks = [float(np.max(np.abs(x))) for x in seen]
     return Scale(stiffness=stiffness, amplitude=max(peaks), least_amplitude=min(peaks),
@@ -239,7 +239,7 @@ def scale_of(z, rate, stiffness, force, top_frequency):
 
 
 def shares_of(rng, count):
-    """Draw the shares of a pair in the gap: their squares add up to 1, and none is below half of the other."""
+    """Draw the shares of a pair in the gap. Their squares add up to 1, and neither is below half of the other."""
     if count < 2:
         return [1.0]
     angle = rng.uniform(math.atan(0.5), math.atan(2.0))
@@ -247,7 +247,7 @@ def shares_of(rng, count):
 
 
 def apply_parameter_error(case):
-    """Make the values of the file wrong: always for parameter errors, otherwise in three of ten cases."""
+    """Make the values of the file wrong: always in cases of parameter error, otherwise in three of ten cases."""
     rng, kind = case["rng"], case["kind"]
     case["file_specification"], case["parameter_error"] = case["specification"], None
     case["file_base"] = bases.Base(**{f.name: getattr(case["base"], f.name) for f in dataclasses.fields(bases.Base)})
@@ -262,14 +262,14 @@ def apply_parameter_error(case):
 
 
 def wrong_file(case, spread):
-    """Make the file's values wrong by up to `spread`; those of the rig stay."""
+    """Make the values of the file wrong by up to `spread`. The values of the rig stay the same."""
     s, factors, base = wrong_specification(case["rng"], case["model"], case["specification"], spread)
     case["file_specification"], case["file_base"] = s, base
     case["parameter_error"] = {"level": "specification", "factors": factors}
 
 
 def measure(case):
-    """Run the rig and add the sensors' noise, colour and quantisation."""
+    """Run the rig, and add noise, its colour and quantisation of the sensors."""
     rng, z = case["rng"], case["z"]
     true = [f[::FINE] for f in case["rig"].force(case["strengths"])]
     coarse = [x[::FINE] for x in z]
@@ -284,7 +284,7 @@ def measure(case):
     for f, x in zip(true, coarse):
         force.append(quantised(f + typical * ratio * noise(rng, len(f), colour), steps[1]))
         displacement.append(quantised(x + sensor * rng.standard_normal(len(x)), steps[0]))
-    # A file that lists elements may give friction a dead band of six times the noise.
+    # A file that lists elements may have a dead band for friction of six times the sensor noise.
     banded = case["as_elements"] and case["base"].friction_force > 0.0
     case["dead_band"] = max(6.0 * sensor, 2.0 * steps[0]) if banded else 0.0
     case.update(true=true, coarse=coarse, force=force, displacement=displacement,
@@ -292,7 +292,7 @@ def measure(case):
 
 
 def noise(rng, n, colour):
-    """Return noise of standard deviation 1, of which a share `colour` is slow (first order, about 8 Hz)."""
+    """Return noise with a standard deviation of 1. The share `colour` of it is slow (first order, about 8 Hz)."""
     white = rng.standard_normal(n)
     if colour == 0.0:
         return white
@@ -307,8 +307,8 @@ def quantised(x, step):
 def noise_floor(case, logs):
     """Return the gap of a perfect model of the base with the measured displacement, which no model can close.
 
-    The model's input has noise, which a dashpot differentiates, and in which a Berg element without a dead band sees
-    reversals that change its path.
+    The measured displacement has noise. A dashpot differentiates this noise, and a Berg element without a dead band
+    takes it for reversals, which change its path.
     """
     base, rate, difference = case["base"], RATE, []
     model_base = dataclasses.replace(base, dead_band=case["dead_band"], c0=0.0)
@@ -361,15 +361,15 @@ UNITS_F = (("N", 1.0, 3), ("kN", 1e-3, 6), ("MN", 1e-6, 9))
 
 
 def write(case, folder, label_folder):
-    """Write the case's folder (component.yaml, logs, case.json) and its sealed label (json, and the true forces)."""
+    """Write the folder of the case (component.yaml, logs, case.json) and the sealed label (JSON, true forces)."""
     rng, label = case["rng"], case["label"]
     os.makedirs(folder, exist_ok=True)
     os.makedirs(label_folder, exist_ok=True)
     name = str(rng.choice(NAMES))
     z_unit, f_unit = UNITS_Z[int(rng.choice(3, p=[0.2, 0.65, 0.15]))], UNITS_F[int(rng.choice(3, p=[0.3, 0.6, 0.1]))]
-    # A thermometer in the room. It is omitted if the specimen heats itself, because it would have to show that.
+    # Room temperature. It is omitted if the specimen heats itself, because a thermometer would show that.
     warm = 20.0 + rng.uniform(-3, 6) if rng.random() < 0.2 and "self_heating" not in label["effects"] else None
-    ambient = label["parameters"].get("temperature")  # if temperature is the effect
+    ambient = label["parameters"].get("temperature")  # given if temperature is the effect
     files = []
     for i, (kind, z, f) in enumerate(case["logs"]):
         prefix, before = ("log", 0) if i < TRAINING else ("hold_out", TRAINING)
@@ -396,7 +396,7 @@ def write(case, folder, label_folder):
 
 def write_log(path, rate, z, f, z_unit, f_unit, temperature):
     columns = [np.arange(len(z)) / rate, z * z_unit[1], f * f_unit[1]]
-    digits = max(3, math.ceil(math.log10(rate)))  # of the time [s]
+    digits = max(3, math.ceil(math.log10(rate)))  # digits of the time [s]
     header, row = f"time_s,displacement_{z_unit[0]},force_{f_unit[0]}", f"%.{digits}f,%.{z_unit[2]}f,%.{f_unit[2]}f\n"
     if temperature is not None:
         columns.append(temperature)
@@ -407,7 +407,7 @@ def write_log(path, rate, z, f, z_unit, f_unit, temperature):
 
 
 def component_yaml(rng, name, model, s):
-    """Return the component file; stiffnesses are sometimes text with a unit."""
+    """Return the component file. Its stiffnesses are sometimes texts with a unit."""
     lines = ["components:", f"  {name}:", f"    model: {model}", "    specification:"]
     with_units = rng.random() < 0.3
     for key, value in s.items():
@@ -424,7 +424,7 @@ def component_yaml(rng, name, model, s):
 
 
 def element_entries(base, dead_band):
-    """Return the base as (type, parameters) entries of `elements` in a component file."""
+    """Return the elements of the base as (type, parameters), for `elements` in a component file."""
     entries = [("spring", {"stiffness": base.k0})]
     entries += [("maxwell", {"stiffness": k, "break_frequency": 1.0 / (2.0 * math.pi * tau)})
                 for k, tau in zip(base.k, base.tau)]

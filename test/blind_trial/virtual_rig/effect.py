@@ -1,11 +1,11 @@
-# Effects of a virtual rig and the stages between actuator and log at which they act.
-# The strength of an effect is one number; its other parameters are drawn once.
-"""Effects as data: a stage, a function, a range of strength."""
+# Effects of a virtual rig, and the stages between actuator and log at which they act. The strength of an effect is a
+# single number. Its other parameters are drawn once.
+"""Effects as data: a stage, a function and a range of strengths."""
 import dataclasses
 from typing import Callable
 
-# Order of the stages. Displacement: delay -> mount -> contact -> play -> specimen (base + parallel) -> factor; then
-# forces added on the rig, then the force transducer and its filter.
+# The stages in order. The displacement passes delay, mount, contact, play, specimen (base + parallel) and factor. Then
+# come forces added on the rig, and the force sensor with its filter.
 STAGES = ("displacement", "mount", "contact", "play", "parallel", "factor", "added", "transducer")
 
 
@@ -44,7 +44,7 @@ class Scale:
     speed: float            # RMS of the velocity
     force: float            # typical standard deviation of the force
     top_frequency: float    # highest frequency of the actuator
-    training: int           # number of first logs, recorded in order on one specimen
+    training: int           # number of logs recorded first, in order on one specimen
     lengths: list           # samples of each log on the fine grid
-    rate: float             # of the fine grid
+    rate: float             # sampling rate of the fine grid
     side: float = 1.0       # sign of the force in one-sided programmes

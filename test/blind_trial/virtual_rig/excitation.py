@@ -1,12 +1,12 @@
 # Motion of the actuator of a virtual rig: sines, sweeps, track-like noise, holds, preloads, triangles. Every log starts
-# at rest at zero, smoothed by the limited bandwidth of the actuator.
+# at rest at zero. The limited bandwidth of the actuator smooths all motion.
 """Displacement programmes [m] on a fine time grid."""
 import numpy as np
 from scipy.signal import butter, lfilter
 
 KINDS = ("sines", "sweep", "track", "holds", "preloaded_sines", "triangle", "amplitude_sweep", "two_tone")
 
-# Test programmes: the kinds that a laboratory ran. Some leave effects confounded or untestable, as real ones do.
+# Test programmes: kinds of motion and probability. Some do not show all effects, as in real tests.
 PROGRAMMES = {
     "rich": (KINDS, 0.42),
     "sines_only": (("sines", "amplitude_sweep", "preloaded_sines"), 0.12),
@@ -18,7 +18,7 @@ PROGRAMMES = {
 
 
 class Actuator:
-    """Limits of one rig: amplitude [m], amplitude times frequency [m Hz], frequency [Hz], sampling [Hz]."""
+    """Limits of a rig: amplitude [m], amplitude times frequency [m Hz], frequency [Hz], sampling rate [Hz]."""
 
     def __init__(self, rng, amplitude, rate):
         self.amplitude = amplitude
@@ -32,7 +32,7 @@ class Actuator:
         return np.minimum(self.amplitude, self.product / np.maximum(frequency, 1e-6))
 
     def level(self, rng):
-        """Draw an amplitude as a share of the largest."""
+        """Draw an amplitude as a share of the largest amplitude."""
         if self.levels is not None:
             return float(rng.choice(self.levels))
         return float(np.exp(rng.uniform(np.log(0.1), 0.0)))
@@ -51,7 +51,7 @@ def envelope(n, edge):
 
 
 def sines(rng, rig, n, amplitude_scale=1.0):
-    """Sine blocks of random frequency and amplitude; the last block may repeat the first."""
+    """Return blocks of sines with random frequency and amplitude. The last block may repeat the first one."""
     count = int(rng.integers(4, 10))
     length = n // count
     blocks = [(rig.frequency(rng), rig.level(rng)) for _ in range(count)]
@@ -76,7 +76,7 @@ def sweep(rng, rig, n):
 
 
 def track(rng, rig, n):
-    """Noise in a band whose amplitude spectrum falls with a power of the frequency."""
+    """Return noise in a band. Its amplitude spectrum is a falling power of the frequency."""
     low, high, slope = rng.uniform(0.1, 0.6), rig.top_frequency * rng.uniform(0.4, 1.0), rng.uniform(0.6, 1.8)
     f = np.fft.rfftfreq(n, 1.0 / rig.rate)
     shape = np.zeros_like(f)
@@ -142,12 +142,12 @@ _MAKERS = {"sines": sines, "sweep": sweep, "track": track, "holds": holds, "prel
 
 
 def make(rng, rig, kind, duration):
-    """Return the actual motion of the actuator for one log of `duration` [s]."""
+    """Return the actual motion of the actuator in a log of `duration` [s]."""
     n = int(round(duration * rig.rate))
     command = _MAKERS[kind](rng, rig, n)
     while not np.any(command):  # all holds of a short log may be at zero
         command = _MAKERS[kind](rng, rig, n)
-    # No log hardly moves: the peak is at least a quarter of the largest amplitude.
+    # Every log has enough motion: its peak is at least a quarter of the largest amplitude.
     command *= max(1.0, 0.25 * rig.amplitude / np.max(np.abs(command)))
     lead = int(0.1 * rig.rate)
     command = np.concatenate([np.zeros(lead), command[:n - lead]])
@@ -155,7 +155,7 @@ def make(rng, rig, kind, duration):
 
 
 def draw_programme(rng, rig, training, hold_out):
-    """Return the kinds of the logs, the programme's name, and a repeated pair of training logs (or None)."""
+    """Return the kinds of the logs, the name of the programme, and a pair of training logs that repeat (or None)."""
     names = list(PROGRAMMES)
     weights = np.array([PROGRAMMES[k][1] for k in names])
     name = str(rng.choice(names, p=weights / weights.sum()))

@@ -1,20 +1,20 @@
-# Form error, because rubber follows no textbook law. Each law of a rig is multiplied by a smooth random function of
-# displacement, speed and level, mixed with another law of the effect, and drifts; a linear base has more relaxation
-# than its model. Numbers of the judgement are fitted on such rigs, because exact rigs would make them overconfident.
-"""Form errors, by which the laws of a rig differ from those of all candidates."""
+# Form errors, because rubber follows no textbook law. Each law of a rig is multiplied by a smooth random function of
+# displacement, speed and level of motion, mixed with another law of the effect, and drifts. A linear base has more
+# relaxation than its model. On exact rigs, the fitted numbers of the judgement would be overconfident.
+"""Form errors: differences of the laws of a rig from the laws of all candidates."""
 import dataclasses
 
 import numpy as np
 
 from .base import Base, maxwell_response
 
-ONE_FORM = ("inertia", "time_delay", "force_offset", "force_drift", "sensor_gain")  # exact on any rig
-WAVES = 5              # per random function
+ONE_FORM = ("inertia", "time_delay", "force_offset", "force_drift", "sensor_gain")  # these have one form on any rig
+WAVES = 5              # waves of a random function
 LEVEL_TIME = 2.0       # averaging time of the level of motion [s]
 
 
 class SmoothFactor:
-    """1 plus a smooth random function of scaled displacement, speed and level, with an RMS of about `size`."""
+    """1 plus a smooth random function of scaled displacement, speed and level, whose RMS is about `size`."""
 
     def __init__(self, rng, scale, size):
         self.scale, self.size = scale, size
@@ -37,8 +37,8 @@ class SmoothFactor:
 
 
 def drifting(rng, samples, rate, fine_rate, size):
-    """Return 1 plus a slow drift of about `size` over a log: half a wave to one and a half."""
-    t = np.arange(samples) * fine_rate / rate  # independent of the grid
+    """Return 1 plus a slow drift of about `size` over a log, with half a wave to one and a half waves."""
+    t = np.arange(samples) * fine_rate / rate  # the same on every grid
     length = max(t[-1], 1.0)
     return 1.0 + size * np.sin(np.pi * rng.uniform(1.0, 3.0) * t / length + rng.uniform(0.0, 2.0 * np.pi))
 
@@ -48,7 +48,7 @@ def rms(forces):
 
 
 def inexact(rng, scale, effect, other, size):
-    """Return the effect with a form error; only for forces in parallel to the component that depend on the motion.
+    """Return the effect with a form error, if it is a force parallel to the component that depends on the motion.
 
     `other` is a second law of the same effect, mixed in with a share of up to 1, or None.
     """
@@ -76,7 +76,7 @@ def inexact(rng, scale, effect, other, size):
 
 @dataclasses.dataclass
 class OffLadder(Base):
-    """A linear base with more relaxation than its model: `extra_k` [N/m] and `extra_tau` [s]."""
+    """A linear base with more relaxation than its model, given by `extra_k` [N/m] and `extra_tau` [s]."""
 
     extra_k: list = dataclasses.field(default_factory=list)
     extra_tau: list = dataclasses.field(default_factory=list)
@@ -89,9 +89,9 @@ class OffLadder(Base):
 
 
 def off_ladder(rng, base, size, slowest, fastest):
-    """Return the base with four more Maxwell elements, of `size` times its static stiffness together.
+    """Return the base with four more Maxwell elements, whose sum is `size` times the static stiffness.
 
-    Relaxation times are drawn between `fastest` and `slowest` [s].
+    Their relaxation times are drawn between `fastest` and `slowest` [s].
     """
     k = size * base.k0 * rng.dirichlet(np.ones(4))
     tau = np.exp(rng.uniform(np.log(fastest), np.log(slowest), 4))

@@ -1,6 +1,6 @@
-# The laws of the effects of a virtual rig, one or more per effect. Some share their form with what the diagnosis fits:
+# The laws of the effects of a virtual rig, one or more per effect. Some of them have the form that the diagnosis fits:
 # sliders, Prony, dead zone, linear stop, ramp, mass, offset, delay.
-"""Effect laws. `LAWS[effect]` is a list of makers; a maker draws an Effect from (rng, scale)."""
+"""Laws of effects. `LAWS[effect]` is a list of functions that draw an Effect from (rng, scale)."""
 import dataclasses
 import math
 
@@ -14,7 +14,7 @@ LAWS = {}
 
 
 def law(effect, name):
-    """Register a maker for a law of an effect."""
+    """Register a function that draws a law of an effect."""
     def register(maker):
         def named(rng, scale):
             return dataclasses.replace(maker(rng, scale), name=effect, law=name)
@@ -28,7 +28,7 @@ def log_uniform(rng, low, high):
 
 
 def each(function):
-    """Return a parallel law from a function of one log."""
+    """Return the function of a parallel law from a function of one log."""
     return lambda z, rate: [function(x, rate) for x in z]
 
 
@@ -38,7 +38,7 @@ FRICTION_RATE = 1000.0
 
 
 def on_friction_grid(function):
-    """Run a scalar loop at up to 1 kHz, linear in between."""
+    """Run a scalar loop at up to 1 kHz, with linear interpolation in between."""
     def run(z, rate):
         skip = max(1, int(round(rate / FRICTION_RATE)))
         out = []
@@ -59,7 +59,7 @@ def slip_length(rng, scale):
 
 
 def in_small_steps(slope, length, limit=math.inf):
-    """Return a friction force over its limit with the slope `slope(h, step)` by z/length, in steps of up to 1/4."""
+    """Return a friction force over its limit. `slope(h, step)` is its slope, in steps of up to 1/4 length."""
     def run(z, rate):
         out, h = np.empty_like(z), 0.0
         for i, step in enumerate((np.diff(z, prepend=z[0]) / length).tolist()):
@@ -106,7 +106,7 @@ def coulomb(rng, scale):
 
 @law("friction", "random_iwan")
 def random_iwan(rng, scale):
-    """Jenkins sliders in parallel, normalised to force 1 when all slide."""
+    """Return Jenkins sliders in parallel, whose total force is 1 if all slide."""
     count = int(rng.integers(4, 11))
     thresholds = slip_length(rng, scale) * np.exp(rng.normal(0.0, 0.9, count))
     weights = rng.dirichlet(np.ones(count))
@@ -133,7 +133,7 @@ def random_iwan(rng, scale):
 
 
 def elastic_effect(function, scale, parameters, strongest=1.0):
-    """Return an effect of `function` of z over the largest amplitude, scaled to 1 at that amplitude."""
+    """Return an effect of `function` of z divided by the largest amplitude, scaled to 1 at that amplitude."""
     size = max(abs(float(function(np.array([1.0]))[0])), abs(float(function(np.array([-1.0]))[0])), 1e-12)
     return Effect("parallel", each(lambda z, rate: function(z / scale.amplitude) / size),
                   strongest * scale.stiffness * scale.amplitude, parameters)
@@ -179,7 +179,7 @@ def asymmetric_slopes(rng, scale):
 
 
 def stop_effect(rng, scale, contact, parameters):
-    """Return a stop at 55 to 85 % of the largest displacement, on one or both sides."""
+    """Return a stop at 55 to 85 % of the largest displacement, on one side or on both sides."""
     gap, side = rng.uniform(0.55, 0.85), str(rng.choice(["upper", "lower", "both", "both"]))
     other = gap * rng.uniform(0.9, 1.1)
 
@@ -207,7 +207,7 @@ def bump_exponential(rng, scale):
 
 
 def play_effect(scale, function, parameters):
-    # Every log has to exceed the play.
+    # The play is limited so that the motion of every log exceeds it.
     return Effect("play", lambda z, rate, g: [function(x, g) for x in z], 0.6 * scale.least_amplitude, parameters)
 
 
@@ -235,7 +235,7 @@ def free_play_rounded(rng, scale):
 
 
 def kernel_effect(kernel, strongest, parameters):
-    """Return force = strength * sum_j kernel(t - t_j) dz_j."""
+    """Return a force of strength * sum_j kernel(t - t_j) dz_j."""
     def run(z, rate):
         t = (np.arange(len(z)) + 0.5) / rate
         return fftconvolve(np.diff(z, prepend=z[0]), kernel(t, rate))[:len(z)]
@@ -295,7 +295,7 @@ def damping_thinning(rng, scale):
 
 @law("rate_amplitude_coupling", "eyring_flow")
 def coupling_eyring(rng, scale):
-    """Integrate df/dt = dz/dt - w s sinh(f/s), f in units of the displacement, by Heun's method."""
+    """Integrate df/dt = dz/dt - w s sinh(f/s) by Heun's method, with f in units of the displacement."""
     w = 2 * np.pi * scale.top_frequency * log_uniform(rng, 0.03, 0.5)
     s = scale.amplitude * log_uniform(rng, 0.05, 0.4)
 
@@ -315,7 +315,7 @@ def coupling_eyring(rng, scale):
 
 
 def running_peaks(z, training):
-    """Return the largest past |z| at each sample; training logs continue it, each hold-out log starts anew."""
+    """Return the largest past |z| at each sample. It carries over between training logs, but not to others."""
     out, past = [], 0.0
     for i, x in enumerate(z):
         start = past if i < training else 0.0
@@ -325,7 +325,7 @@ def running_peaks(z, training):
 
 
 def factor_effect(factors, strongest, parameters):
-    """Return an effect of `factors(z, elastic, rest, rate)`, the loss of stiffness at strength 1 for each log."""
+    """Return an effect from `factors(z, elastic, rest, rate)`, the loss of stiffness at strength 1 in each log."""
     def run(z, elastic, rest, rate, strength):
         losses = factors(z, elastic, rest, rate)
         return [(1.0 - strength * x) * (a + b) for x, a, b in zip(losses, elastic, rest)]
@@ -370,7 +370,7 @@ def softening_damage(rng, scale):
 
 
 def temperatures(force, z, rate, tau_fast, tau_slow, share):
-    """Return the temperature rise of a two-node body heated by the loss, cold at the start of each log, maximum 1."""
+    """Return the temperature rise of a two-node body that the loss heats, from 0 at the start of each log up to 1."""
     skip = max(1, int(rate / 50.0))
     out = []
     for f, x in zip(force, z):
@@ -390,7 +390,7 @@ def temperatures(force, z, rate, tau_fast, tau_slow, share):
 
 @law("self_heating", "two_nodes_linear")
 def heating_linear(rng, scale):
-    """Elastic and other force fall in proportion to the temperature, the other force faster by a factor."""
+    """The force falls in proportion to the temperature. Other force falls faster than elastic force, by a factor."""
     fast, slow, share = rng.uniform(6.0, 25.0), rng.uniform(60.0, 240.0), rng.uniform(0.3, 0.8)
     extra = rng.uniform(1.0, 1.8)
 
@@ -420,15 +420,15 @@ def contact_rough(rng, scale):
     """An unglued seat in series with the specimen. Its rough faces separate gradually: the opening grows with the
     logarithm of the force (Greenwood).
 
-    While open, a guide of 1/strength - 1 times the stiffness holds the specimen; at strength 1 there is none. The fixed
-    point of the step is the law of the seat: in the limit of smooth faces, force >= 0, opening >= 0, one of them 0.
+    While it is open, a guide of 1/strength - 1 times the stiffness holds the specimen, at strength 1 none. The fixed
+    point of the step is the law of the seat: for smooth faces, force and opening are >= 0, and one of them is 0.
     """
     roughness = scale.amplitude * log_uniform(rng, 0.002, 0.02)
 
     def run(z, inner, force, s):
         guide, w = scale.stiffness * (1.0 / s - 1.0), s * roughness
         ahead = force + guide * (inner - z)
-        step = ahead / (2.0 * scale.stiffness + guide)  # stiffer than the specimen in either direction
+        step = ahead / (2.0 * scale.stiffness + guide)  # stiffer than the specimen in both directions
         return z + scale.side * (w * np.logaddexp(0.0, scale.side * (inner - step - z) / w))
     return Effect("contact", run, 1.0, {"roughness": roughness, "side": scale.side})
 
@@ -440,7 +440,7 @@ def inertia_rigid(rng, scale):
 
 
 def shifted(x, samples):
-    """Return x delayed by a number of samples, not necessarily whole; at rest before its start."""
+    """Return x delayed by a number of samples, which may be a fraction. Before its start, x is at rest."""
     n = np.arange(len(x), dtype=float)
     return np.interp(n - samples, n, x, left=x[0])
 
@@ -456,7 +456,7 @@ def delay_force(rng, scale):
 
 
 def filtered(force, rate, numerator, denominator):
-    """Apply an analogue filter (coefficients in s) to logs that were constant before their start, at any rate."""
+    """Apply an analogue filter (coefficients in s) at any rate to logs that were constant before their start."""
     out = []
     for x in force:
         n = len(x) + 2048
@@ -474,7 +474,7 @@ def delay_butterworth(rng, scale):
 
 
 def added_logs(maker, scale, parameters, strongest=0.5):
-    """Return shares drawn once per log, as functions of time that are available at any rate."""
+    """Return forces that are drawn once per log, as functions of time that can be evaluated at any rate."""
     shares = [maker(n) for n in scale.lengths]
 
     def run(z, rate):
@@ -524,8 +524,8 @@ def drift_pink(rng, scale):
 
 @law("fluid_inertia", "stiffening_chamber")
 def stiffening_chamber(rng, scale):
-    """A column of fluid q'' + 2 d w q' = w^2 f with the force f = x (1 + cube x^2) of the chamber, x = z - q over the
-    amplitude: the chamber stiffens under pressure."""
+    """A column of fluid q'' + 2 d w q' = w^2 f, with the force f = x (1 + cube x^2) of the chamber and x = z - q
+    divided by the amplitude. The chamber stiffens under pressure."""
     cube = rng.uniform(0.05, 0.4)
     w, d = 2 * np.pi * scale.top_frequency * log_uniform(rng, 0.25, 0.8), rng.uniform(0.08, 0.4)
 
@@ -612,7 +612,7 @@ def cross_talk(rng, scale):
 
 @law("backlash", "damper_in_a_hard_joint")
 def backlash_damper(rng, scale):
-    """A dashpot behind a clearance with a contact that hardens: F = c dw/dt = k d^1.5, d the depth of contact."""
+    """A dashpot behind a clearance with a contact that hardens: F = c dw/dt = k d^1.5 for a contact of depth d."""
     gap = scale.amplitude * log_uniform(rng, 0.03, 0.25)
     w, depth = 2 * np.pi * scale.top_frequency * rng.uniform(1.0, 4.0), scale.amplitude * rng.uniform(0.02, 0.1)
 
@@ -637,6 +637,6 @@ UNKNOWN = tuple(k for k in LAWS if k.startswith("unknown:"))
 
 
 def draw(rng, scale, effect):
-    """Draw an Effect of that name by one of its laws."""
+    """Draw one of the laws of an effect."""
     makers = LAWS[effect]
     return makers[int(rng.integers(len(makers)))](rng, scale)

@@ -1,16 +1,16 @@
-# A virtual rig: a base component, effects in their stages, and the strength of an effect for a wanted gap.
-"""From displacement to force, and the search for strengths."""
+# A virtual rig: a base component, effects in their stages, and the search for the strength that gives a wanted gap.
+"""Forces of a virtual rig for a displacement, and the search for strengths."""
 import math
 
 import numpy as np
 
 from .effect import STAGES
 
-LARGEST_GAP = 0.40  # of an effect, before any re-estimation
+LARGEST_GAP = 0.40  # largest gap of an effect before re-estimation
 
 
 def gap(difference, force):
-    """Return the RMS over all logs of the difference over the standard deviation of the force."""
+    """Return the RMS of the difference divided by the standard deviation of the force, over all logs."""
     return math.sqrt(np.mean([np.mean(d**2) / np.var(f) for d, f in zip(difference, force)]))
 
 
@@ -19,7 +19,7 @@ def decimated(logs, skip):
 
 
 class Rig:
-    """A base with effects. `force(strengths)` runs the chain; shares that do not depend on a strength are cached."""
+    """A base with effects. `force(strengths)` runs all stages. Forces that do not depend on a strength are cached."""
 
     def __init__(self, base, z, rate, effects):
         self.base, self.z, self.rate = base, z, rate
@@ -27,18 +27,18 @@ class Rig:
         self._kept = {}
 
     def coarse(self, skip):
-        """Return the same rig on every skip-th sample."""
+        """Return the same rig with every skip-th sample."""
         return Rig(self.base, decimated(self.z, skip), self.rate / skip, self.effects)
 
     def base_force(self):
         return self._keep("base", lambda: self.base.force(self.z, self.rate))
 
     def share(self, effect):
-        """Return the force of a linear effect at strength 1, on the undisturbed displacement."""
+        """Return the force of a linear effect of strength 1 under the undisturbed displacement."""
         return self._keep(id(effect), lambda: effect.function(self.z, self.rate))
 
     def force(self, strengths):
-        """Return the force of all logs with effect i at strengths[id(effect)]; effects missing there are off."""
+        """Return the force of all logs with effect i at strengths[id(effect)]. Effects without a strength are off."""
         active = [(e, strengths[id(e)]) for e in self.effects if strengths.get(id(e), 0.0) > 0.0]
         z = self.z
         for effect, s in active:
@@ -55,7 +55,7 @@ class Rig:
         return force
 
     def _behind_mount(self, z, mount, active):
-        """Find the displacement behind the mount, which yields to the force, by iterating over whole logs."""
+        """Find the displacement behind the mount, which yields under the force, by iteration over whole logs."""
         inner, relax = z, 1.0 / (1.0 + sum(s for _, s in mount))
         size = max(float(np.max(np.abs(x))) for x in z)
         for _ in range(30):
@@ -71,7 +71,7 @@ class Rig:
         return self._specimen(inner, active)
 
     def _specimen(self, z, active):
-        """Find the force of specimen and opening contacts, in series, over whole logs."""
+        """Find the force of the specimen in series with opening contacts, by iteration over whole logs."""
         contacts = [(e, s) for e, s in active if e.stage == "contact"]
         inner, size = z, max(float(np.max(np.abs(x))) for x in z)
         for _ in range(60 if contacts else 0):
@@ -111,9 +111,9 @@ class Rig:
 
 
 class Ruler:
-    """Measures gaps on a coarse grid: the full gap, and the visible one after re-estimation of the base.
+    """Measures gaps on a coarse grid: the full gap, and the visible gap that re-estimation of the base leaves.
 
-    The visible gap is an estimate by projection onto the tangent space of the parameters, not a fit.
+    The visible gap is not fitted, but estimated by projection onto the tangent space of the parameters.
     """
 
     def __init__(self, rig, skip):
@@ -123,7 +123,7 @@ class Ruler:
         self._tangent = [m[::self._sub] for m in self.rig.base.tangent(self.rig.z, self.rig.rate)]
 
     def gaps(self, strengths):
-        """Return (full gap, visible gap) of the effects at these strengths relative to the bare base."""
+        """Return (full gap, visible gap) of effects with these strengths, relative to the base without effects."""
         force = self.rig.force(strengths)
         difference = [a - b for a, b in zip(force, self.reference)]
         return gap(difference, force), self.visible(difference, force)
@@ -136,15 +136,15 @@ class Ruler:
         norms = np.linalg.norm(matrix, axis=0)
         matrix = matrix / np.where(norms > 0.0, norms, 1.0)
         target = np.concatenate([d[::self._sub] * w for d, w in zip(difference, weights)])
-        # A small ridge keeps directions that the logs do not excite unchanged.
+        # With a small ridge, directions that the logs do not excite stay unchanged.
         normal = matrix.T @ matrix + 1e-9 * np.eye(matrix.shape[1])
         left = target - matrix @ np.linalg.solve(normal, matrix.T @ target)
         return float(np.linalg.norm(left) * math.sqrt(self._sub / len(difference)))
 
     def strength_for(self, effect, wanted, visible):
-        """Return the strength for the wanted (visible) gap, or the strongest plausible one, with both gaps.
+        """Return the strength for the wanted (visible) gap, or the largest plausible strength, with both gaps.
 
-        If the base's parameters would hide most of an effect, the full gap is limited to LARGEST_GAP.
+        If re-estimation of the base would hide most of an effect, the full gap is limited to LARGEST_GAP.
         """
         def measure(s):
             both = self.gaps({id(effect): s})
