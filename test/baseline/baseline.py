@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Compares two alternately run builds of the package on folders of cases: conclusions, evidence, forces of `replay` and
-# of the node, CPU time and memory. A change that should have no effect is compared with the build before it.
+# Compares two builds of the package, run alternately on folders of cases: conclusions, evidence, forces of `replay` and
+# of the node, CPU time and memory. It shows that a change has no effect, by comparison with the build before.
 """Compare an old and a new build on folders of cases.
 
 A case is a folder with component.yaml and either case.json (component, logs, hold_out or table, as the generators of
@@ -21,13 +21,13 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 from run import description, run_one  # noqa: E402
 
-NODE_PORT = 11411  # port of the master for a played log; another bench may use that of ROS
+NODE_PORT = 11411  # port of the master for a log that is played; another bench may use the default port of ROS
 CONCLUSION = ("verdict", "effects", "confounded", "gap", "closed", "candidates")
 
 
 @dataclasses.dataclass
 class Build:
-    """The programs of one build: its devel or install space."""
+    """The programs of a build in its devel or install space."""
 
     name: str
     space: str
@@ -37,7 +37,7 @@ class Build:
 
 
 def cases_of(folders):
-    """Yield the cases in each folder, or the folder itself if it is one."""
+    """Yield the cases in each folder, or the folder itself if it is a case."""
     for folder in folders:
         inner = sorted(os.path.dirname(p) for p in glob.glob(os.path.join(folder, "*", "component.yaml")))
         found = inner or [folder] * os.path.isfile(os.path.join(folder, "component.yaml"))
@@ -47,7 +47,7 @@ def cases_of(folders):
 
 
 def differences(old, new, path=""):
-    """Yield (path, relative difference) of numbers, (path, inf) of other values; ignore keys that only `new` has."""
+    """Yield (path, relative difference) of numbers and (path, inf) of other values. Ignore keys that only `new` has."""
     if isinstance(old, dict) and isinstance(new, dict):
         for key, value in old.items():
             yield from differences(value, new[key], f"{path}.{key}") if key in new else [(f"{path}.{key}", math.inf)]
@@ -67,7 +67,7 @@ def read_json(path):
 
 
 def compare(old, new, tolerance):
-    """Return None if two values agree, otherwise the largest difference."""
+    """Return None if two values agree within the tolerance, and otherwise the largest difference."""
     found = [d for d in differences(old, new) if d[1] > tolerance]
     if not found:
         return None
@@ -76,7 +76,7 @@ def compare(old, new, tolerance):
 
 
 def replay(build, case, folder, output):
-    """Return the forces that `replay` writes, as bytes by log."""
+    """Return the forces that `replay` writes for each log, as bytes."""
     forces = {}
     for log in case.get("logs", []) + case.get("hold_out", []):
         path = os.path.join(output, f"replay_{os.path.basename(log)}.csv")
@@ -99,7 +99,7 @@ def play(build, case, folder, output):
 
 
 def run(command, expected):
-    """Run a command; print the end of its output if it fails without the expected file."""
+    """Run a command. If it fails without writing the expected file, print the end of its output."""
     result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     if result.returncode != 0 and not os.path.exists(expected):
         print(result.stdout.decode(errors="replace")[-500:], file=sys.stderr)
@@ -113,7 +113,7 @@ def content(path):
 
 
 def run_case(builds, folder, output, options):
-    """Run both builds on one case; return the differences, and CPU seconds and memory of each build."""
+    """Run both builds on a case. Return the differences, and the CPU seconds and memory of each build."""
     case = description(folder)
     found, costs = {}, {}
     for build in builds:
@@ -165,7 +165,7 @@ def main():
 
 
 def summary(costs, different, with_node):
-    """Print medians of both builds and the differences; return the exit status."""
+    """Print the medians of both builds and the differences, and return the exit status."""
     print(f"\n{len(costs)} cases")
     for index, what, scale in ((0, "CPU [s]", 1.0), (1, "peak memory [MiB]", 2.0 ** -20)):
         old, new = ([cost[name][index] * scale for cost in costs] for name in ("old", "new"))

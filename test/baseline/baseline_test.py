@@ -1,4 +1,4 @@
-"""Tests of the comparison of two builds, with programs that write given files instead of real ones."""
+"""Tests of the comparison of two builds. Programs that write given files replace the real ones."""
 import contextlib
 import io
 import json
@@ -23,7 +23,7 @@ REPORT = {"verdict": "named", "effects": ["friction"], "gap": {"augmented": 0.02
 
 
 class BaselineTest(unittest.TestCase):
-    """An old and a new build with two cases of a bench."""
+    """Tests with an old and a new build and two cases of a bench."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="rubber_suspension_baseline_")
@@ -51,7 +51,7 @@ class BaselineTest(unittest.TestCase):
         self.write(given + "force.csv", force)
 
     def compared(self, *more):
-        """Return exit status and output of the script."""
+        """Return the exit status and output of the script."""
         printed = io.StringIO()
         arguments = ["baseline.py", os.path.join(self.folder, "cases"), "--old", os.path.join(self.folder, "old"), "--new",
                      os.path.join(self.folder, "new"), "--output", os.path.join(self.folder, "output"), *more]

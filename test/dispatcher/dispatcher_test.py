@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Tests of the command rubber-suspension, its completion in bash, its man pages, and the script that generates them.
-
-Usage: dispatcher_test.py FOLDER_WITH_IT FOLDER_OF_THE_PAGES VERSION COMMAND...
+Usage: dispatcher_test.py FOLDER_OF_THE_COMMAND FOLDER_OF_THE_PAGES VERSION COMMAND...
 """
 import gzip
 import pathlib
@@ -24,7 +23,7 @@ def run(*arguments, program=PROGRAM):
 
 
 def completions(*words):
-    """Return bash's completions of the last word."""
+    """Return the completions of the last word in bash."""
     script = 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); compopt() { :; }; _rubber_suspension; ' \
              'printf "%s\\n" "${COMPREPLY[@]}"'
     answer = subprocess.run(["bash", "-c", script, "bash", PAGES / "rubber-suspension", str(PROGRAM), *words],
@@ -33,7 +32,7 @@ def completions(*words):
 
 
 def rosrun_completions(*words):
-    """Return the completions after rosrun, in a shell that has read only setup.sh."""
+    """Return the completions after rosrun in a shell that has read setup.sh only."""
     script = '. "$1"; shift; function=$(complete -p rosrun | sed -E "s/.* -F ([^ ]+) .*/\\1/"); compopt() { :; }; ' \
              'COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); "$function" rosrun; printf "%s\n" "${COMPREPLY[@]}"'
     answer = subprocess.run(["bash", "--norc", "-c", script, "bash", PROGRAM.parents[1] / "setup.sh", "rosrun", *words],
@@ -143,7 +142,7 @@ Examples:
 
 
 class Script(unittest.TestCase):
-    """Output of cmake/command_pages.py for the help of one command."""
+    """Tests of the output of cmake/command_pages.py for the help of one command."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,6 +1,6 @@
-# A small check of the fleet statistics on virtual test pieces, from logs to verdicts.
-# fleet_trial_test.py CAMPAIGN: the path of the command.
-"""Tests of the fleet statistics on simulated logs."""
+# A small check of the fleet statistics with virtual test pieces, from logs to verdicts.
+# Usage: fleet_trial_test.py CAMPAIGN, the path of the command.
+"""Tests of the fleet statistics with simulated logs."""
 import json
 import os
 import subprocess
@@ -16,7 +16,7 @@ PIECES = 8
 
 
 class FleetTest(unittest.TestCase):
-    """Six fleets of eight test pieces. Thresholds are minimum requirements for such small fleets."""
+    """Tests with six fleets of eight test pieces. Thresholds are minimum requirements for such small fleets."""
 
     @classmethod
     def setUpClass(cls):
@@ -37,7 +37,7 @@ class FleetTest(unittest.TestCase):
         self.assertNotIn("check_bench", [job["values"]["verdict"] for job in self.jobs])
 
     def intervals(self, parameter):
-        """Return the interval of the median by type."""
+        """Return the interval of the median for each type."""
         return {name: row["median_interval_95"] for name, kind in self.types.items() for row in kind["parameters"]
                 if row["name"] == parameter and "median_interval_95" in row}
 

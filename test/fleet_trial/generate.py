@@ -1,5 +1,5 @@
-# Writes virtual fleets: components of one type with scatter between test pieces, whose truth only the labels state. The
-# rigs are those of the blind trial, which share no code with the package. The same seed gives the same files.
+# Writes virtual fleets: components of a type that scatter. Only the labels state the true values. The rigs are those of
+# the blind trial, which share no code with the package. The same seed gives the same files.
 """Virtual fleets: logs of many test pieces of one type, a jobs file for `campaign`, and labels."""
 import math
 import multiprocessing
@@ -17,19 +17,19 @@ from virtual_rig import case, excitation, laws  # noqa: E402
 from virtual_rig.effect import Effect, Scale  # noqa: E402
 from virtual_rig.rig import Rig, Ruler  # noqa: E402
 
-SECONDS = 12.0    # of each log
-RATE = 250.0      # of the logs [Hz]
+SECONDS = 12.0    # duration of each log
+RATE = 250.0      # sampling rate of the logs [Hz]
 FINE = 4          # samples of the rig's grid per sample of a log
-TOP_FREQUENCY = 10.0  # of the motion [Hz]
-NOISE = 0.003     # of the force, as a share of its standard deviation
+TOP_FREQUENCY = 10.0  # highest frequency of the motion [Hz]
+NOISE = 0.003     # noise of the force, relative to the standard deviation of the force
 KINDS = ("sines", "sweep", "holds", "track")
 SCATTER = {"static_stiffness": 0.04, "dynamic_stiffness": 0.02, "maximum_stiffness": 0.02}
-# Standard deviations of logarithms: the static one moves all three (hardness of the rubber), the others add to it, so
-# that the dynamic stiffness of a piece is not below the static one by chance alone.
+# These are standard deviations of logarithms. The static one (hardness of the rubber) changes all three stiffnesses.
+# The others are added to it, so that chance alone does not make a dynamic stiffness smaller than the static one.
 
 # The fleets. `seed` is part of the seed of their draws. `scatter` is in units of SCATTER, `wrong` and `size` are
-# logarithms, `gap` is that after re-estimation, `compliance` is that of the rig [m/N], `stiffness` the static one
-# [N/m]. Types of the same `rig` are tested on one; those of the rig "good" differ only by the other entries.
+# logarithms, `gap` is the gap after re-estimation, `compliance` that of the rig [m/N], `stiffness` the static stiffness
+# [N/m]. Types with the same `rig` share one. Those on the rig "good" differ only in the other entries.
 SOFT_RIG = {"rig": "soft", "scatter": 1.0, "compliance": 2.5e-8}
 FLEETS = {
     "scatter": {"seed": 1, "rig": "good", "scatter": 1.0},
@@ -42,7 +42,7 @@ FLEETS = {
 
 
 def specification_of(fleet, rng):
-    """Return the numbers of a type's component file [SI]."""
+    """Return the numbers of the component file of a type [SI]."""
     static = FLEETS[fleet].get("stiffness") or laws.log_uniform(rng, 5e5, 5e6)
     dynamic = static * rng.uniform(1.3, 1.45)
     return {"static_stiffness": float(f"{static:.5g}"), "dynamic_stiffness": float(f"{dynamic:.5g}"),
@@ -51,7 +51,7 @@ def specification_of(fleet, rng):
 
 
 def piece_of(plan, wrong, specification, rng):
-    """Return a test piece's specification, and the logarithms of its ratios to the file, which are the truth."""
+    """Return the specification of a test piece, and the true values: the logarithms of its ratios to the file."""
     for _ in range(1000):
         steps = {name: plan.get("scatter", 0.0) * size * rng.standard_normal() for name, size in SCATTER.items()}
         common = steps["static_stiffness"]
@@ -66,12 +66,12 @@ def piece_of(plan, wrong, specification, rng):
 
 
 def compliance(size):
-    """Return an effect for a rig that yields by `size` [m/N]."""
+    """Return the effect of a rig with a compliance of `size` [m/N]."""
     return Effect("mount", lambda force, strength: strength * force, size, {}, "series_compliance", "linear")
 
 
 def programme(rng):
-    """Return the displacements of a type's test, equal for all pieces, as on a test bench."""
+    """Return the displacements in the test of a type. They are equal for all test pieces, as on a test bench."""
     actuator = excitation.Actuator(rng, 2e-3, RATE * FINE)
     actuator.top_frequency = TOP_FREQUENCY
     actuator.smoothing = excitation.butter(2, 45.0 / (0.5 * RATE * FINE))
@@ -79,7 +79,7 @@ def programme(rng):
 
 
 def moving(rng, actuator, kind):
-    """Return a log with at least half a second of motion; the levels of short holds may all be 0."""
+    """Return a log with at least half a second of motion, because the levels of short holds may all be 0."""
     while True:
         with np.errstate(divide="ignore", invalid="ignore"):
             z = excitation.make(rng, actuator, kind, SECONDS)
@@ -95,7 +95,7 @@ def one(job):
     specification = specification_of(fleet, type_rng)
     wrong = plan.get("wrong", {})
     if not wrong:
-        type_rng.standard_normal()  # keeps the random draws of earlier versions
+        type_rng.standard_normal()  # keeps the random draws equal to those of earlier versions
     z = programme(type_rng)
     marked = set(type_rng.permutation(pieces)[:round(plan.get("share", plan.get("outliers", 0.0)) * pieces)].tolist())
     rng = np.random.default_rng(np.random.SeedSequence([seed, 2, plan["seed"], 0, number]))
@@ -120,7 +120,7 @@ def one(job):
 
 
 def measured(plan, base, z, rng, has_effect):
-    """Return forces with noise on the grid of the logs."""
+    """Return the forces with noise on the grid of the logs."""
     effects, strengths = [], {}
     if has_effect:
         effects.append(laws.draw(rng, scale_of(base, z), plan["effect"]))
@@ -149,9 +149,9 @@ def component_yaml(specification):
 
 
 def generate(pieces, seed, output):
-    """Write all fleets with `pieces` test pieces each, and a jobs file; each fleet is a type, on the rig of its kind.
+    """Write all fleets with `pieces` test pieces each, and a jobs file. Each fleet is a type, measured on its rig.
 
-    Returns a label for each piece.
+    Returns a label for each test piece.
     """
     jobs = [(fleet, number, pieces, seed, output) for fleet in FLEETS for number in range(pieces)]
     with multiprocessing.Pool(2) as pool:

@@ -35,7 +35,7 @@ BUSH = """components:
 
 
 def program(command):
-    """Return a program as rosrun finds it, which does not search the folder build/ of the package."""
+    """Return a program as rosrun finds it. rosrun does not search the folder build/ of the package."""
     spaces = [pathlib.Path(space) for space in os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)]
     return next(path for path in (space / "lib" / "rubber_suspension" / command for space in spaces) if path.exists())
 
@@ -50,7 +50,7 @@ class Launch(unittest.TestCase):
         self.log.write_text("time_s,displacement_m\n" + "".join(rows))
 
     def launch(self, name, **arguments):
-        """Run until the required node ends, whose status roslaunch does not pass on; return all output."""
+        """Run until the required node ends, and return all output. roslaunch does not pass on the node's status."""
         environment = {**os.environ, "ROS_HOME": str(self.folder / "ros_home")}
         words = [f"{key}:={value}" for key, value in arguments.items()]
         done = subprocess.run(["roslaunch", "-p", str(tcpros.free_port()), os.path.join(LAUNCH, name), *words],
@@ -75,7 +75,7 @@ class Launch(unittest.TestCase):
             self.assertEqual(bag.exists(), bool(more), said)
 
     def test_replay_reads_as_it_is_told(self):
-        """The second of two logs in a file, whose numbers may have decimals or thousands; one value is missing."""
+        """Replays the second of two logs in a file, whose numbers may have decimals or thousands."""
         config, log, output = (self.folder / name for name in ("components.yaml", "two.csv", "forces.csv"))
         config.write_text(CONFIG)
         head = "Time [ms];Travel [um]\n"
@@ -89,7 +89,7 @@ class Launch(unittest.TestCase):
         self.assertAlmostEqual(displacements[0], 2.0e-6, delta=1e-12)
 
     def test_bench_plays_poses(self):
-        """Text and bag of a component of six directions: the node has the wrenches of replay to the last bit."""
+        """Plays text and bag of a component of six directions: its wrenches equal replay to the last bit."""
         config, text, bag = (self.folder / name for name in ("bush.yaml", "poses.csv", "poses.bag"))
         config.write_text(BUSH)
         turns = [(1e-3 * math.sin(0.05 * i), 0.05 * math.sin(0.03 * i)) for i in range(SAMPLES)]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""A bush of six directions in rviz under Xvfb: the wrench is moved to the bush, and its arrows are visible.
+"""Shows a bush of six directions in rviz under Xvfb. The wrench is moved to the bush, and its arrows are visible.
 
-Usage: rviz_test.py FOLDER_OF_THE_PACKAGE [PICTURE.png]; skipped (77) without rviz, Xvfb or their Python modules.
+Usage: rviz_test.py FOLDER_OF_THE_PACKAGE [PICTURE.png]. Skipped (77) without rviz, Xvfb or their Python modules.
 """
 import os
 import pathlib
@@ -26,11 +26,11 @@ try:
 except ImportError:
     RVIZ = None
 
-FORCE = np.array([300.0, 0.0, 150.0])  # [N], on B at B's origin, in the axes of A
-PLACE = np.array([1.1, 0.6, -0.5])     # [m], of the bush on both bodies, as in config/hung_body.yaml
-TURN = 0.05                            # [rad], of B about z
+FORCE = np.array([300.0, 0.0, 150.0])  # on B at the origin of B, in the axes of A [N]
+PLACE = np.array([1.1, 0.6, -0.5])     # position of the bush on both bodies, as in config/hung_body.yaml [m]
+TURN = 0.05                            # rotation of B about z [rad]
 ROTATION = np.array([[np.cos(TURN), -np.sin(TURN), 0], [np.sin(TURN), np.cos(TURN), 0], [0, 0, 1]])
-MOMENT = np.cross(ROTATION @ PLACE, FORCE) + [0.0, 20.0, 0.0]  # [N m], with 20 of them at the bush
+MOMENT = np.cross(ROTATION @ PLACE, FORCE) + [0.0, 20.0, 0.0]  # [N m]; 20 N m of it at the bush
 
 
 def until(condition, seconds=90):
@@ -41,7 +41,7 @@ def until(condition, seconds=90):
 
 
 def screen(path):
-    """Return red, green and blue of the screen of Xvfb -fbdir, which is a file of xwd."""
+    """Return red, green and blue of the screen of Xvfb -fbdir, which is a file in xwd format."""
     data = path.read_bytes()
     head = struct.unpack(">25I", data[:100])
     size, width, height, line, colours = head[0], head[4], head[5], head[12], head[19]
@@ -99,7 +99,7 @@ class Rviz(unittest.TestCase):
         answer.wrench.torque.x, answer.wrench.torque.y, answer.wrench.torque.z = MOMENT
         wrench.publish(answer)
 
-    # The power of the wrench is the same at B's origin and at the bush, in the axes of either body.
+    # The power of the wrench is the same at the origin of B and at the bush, in the axes of either body.
     def check_wrench(self, message):
         self.assertEqual(message.header.frame_id, "front_left/b")
         turn = ROTATION
@@ -112,7 +112,7 @@ class Rviz(unittest.TestCase):
 
     @staticmethod
     def arrows(picture):
-        """Return true if enough pixels have the orange of the force and the blue of the moment, on the dark ground."""
+        """Return True if enough pixels of the dark ground have the orange of the force and the blue of the moment."""
         red, green, blue = picture[:, :, 0], picture[:, :, 1], picture[:, :, 2]
         orange = (red > blue + 70) & (red > green + 30) & (green > blue)
         azure = (blue > red + 60) & (blue > green + 30) & (green > red)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests of the layouts for plotting programs: every curve names a field of a message that the node publishes."""
+"""Tests of the layouts for plotting programs: every curve is a field of a message that the node publishes."""
 import ast
 import json
 import pathlib

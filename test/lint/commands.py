@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Checks that all commands have one style of --help, --help-all and --version, which docs/commands.md shows.
+"""Checks that all commands have one style of --help, --help-all and --version, equal to docs/commands.md.
 
-Usage: commands.py VERSION PAGE PRINTED_PAGE PROGRAM...; one line per violation, exit status 1 if there is any.
+Usage: commands.py VERSION PAGE PRINTED_PAGE PROGRAM... Prints a line per violation; exit status 1 if there is any.
 """
 
 import pathlib
@@ -10,8 +10,8 @@ import subprocess
 import sys
 
 
-WIDTH = 100  # characters of a terminal, and of a page
-SCREEN = 30  # lines of --help
+WIDTH = 100  # characters per line of a terminal and of a page
+SCREEN = 30  # largest number of lines of --help
 EXAMPLES = 3
 # Name, placeholder, and description with its continuation lines.
 OPTION = re.compile(r"^  ((?:-\w,)?--[\w-]+)(?: (\S+))?[^\n]*?\s{2,}(\S[^\n]*(?:\n {28}[^\n]*)*)$", re.M)
@@ -51,7 +51,7 @@ def violations(program, version):
 
 
 def screen_violations(command, screen, everything):
-    """--help is one screen with examples; --help-all contains all of it and more, in the same style."""
+    """Check that --help is one screen with examples, and that --help-all contains it and more in the same style."""
     if screen.count("\n") > SCREEN:
         yield f"--help has {screen.count(chr(10))} lines, more than a screen of {SCREEN}"
     known = options_in(everything)
@@ -72,7 +72,7 @@ def options_in(text):
 
 
 def option_violations(text):
-    """Options have one style: a placeholder that names the value, a description without capital and full stop."""
+    """Check the style of options: a placeholder that names the value, a description without capital and full stop."""
     for option, placeholder, description in OPTION.findall(text):
         if placeholder in ("TEXT", "INT", "UINT", "FLOAT"):
             yield f"--help does not say what {option} takes"
@@ -83,13 +83,13 @@ def option_violations(text):
 
 
 def sections(page):
-    """Return the text of each command in a reference page by its name; the introduction has the name ''."""
+    """Return the text of each command in a reference page by its name. The introduction has an empty name."""
     parts = re.split(r"^## (\w+)$", page, flags=re.M)
     return dict(zip(["", *parts[1::2]], [part.strip() for part in parts[::2]]))
 
 
 def page_violations(page, printed_page, commands):
-    """Compare the page with the printed one, but for commands that are not built here because a library is missing."""
+    """Compare the page with the printed one, except for commands that are not built because a library is missing."""
     page, printed = sections(page.read_text()), sections(printed_page.read_text())
     for name in ["", *commands]:
         if name not in printed:

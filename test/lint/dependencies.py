@@ -10,7 +10,7 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-# rosdep key -> (its names in the sources: CMake package, header folder or Python module; its Debian packages)
+# rosdep key -> its names in the sources (CMake package, header folder or Python module), and its Debian packages
 KEYS = {
     "boost": ({"Boost", "boost"}, {"libboost-dev", "libboost-iostreams-dev"}),
     "catkin": ({"catkin"}, {"catkin"}),
@@ -67,12 +67,12 @@ KEYS = {
     "yaml-cpp": ({"yaml-cpp"}, {"libyaml-cpp-dev"}),
     "zlib": ({"ZLIB", "zlib.h"}, {"zlib1g-dev"}),
 }
-# Installed by a package that another key names, or part of the language itself.
+# These are part of the language, or of a package that another key names.
 IMPLIED = {"rosconsole", "rostime", "xmlrpcpp", "Threads", "CTest", "bits", "sys", "arpa", "net", "netinet", "gnu", "linux",
            "Python3"}
-# Used if installed; no rosdep key names them.
+# These are used if they are installed, but have no rosdep key.
 OPTIONAL = {"rapidcheck", "rapidcheck.h"}
-# Tools and options without a rosdep key, which only scripts/dependencies.txt names.
+# These tools and options have no rosdep key, so only scripts/dependencies.txt names them.
 TOOLS = {"cmake", "g++", "ninja-build", "pkg-config", "rosbash", "python3-rosmsg", "librapidcheck-dev",
          "dpkg-dev", "file", "iproute2", "nftables", "munge", "slurm-client", "slurmctld", "slurmd", "g++-mingw-w64-x86-64", "wine64", "rviz", "chromium"}
 TOOL_PREFIXES = ("clang", "libclang", "catkin-lint", "valgrind", "doxygen", "xvfb", "graphviz", "strace")
@@ -80,7 +80,7 @@ INTROSPECTION = {"python3-rosbag", "python3-rosnode", "python3-rosservice", "pyt
 STANDARD_PYTHON = set(sys.stdlib_module_names) - {"tkinter"} | {
     "rubber_suspension", "rubber_suspension_core", "mpl_toolkits", "genpy", "actionlib"}
 
-# Places of the version; the first version in a heading of CHANGELOG.rst is that of the last release.
+# Files with the version. The first version in a heading of CHANGELOG.rst is that of the last release.
 VERSIONS = {
     "CHANGELOG.rst": r"^(\d+\.\d+\.\d+) \(\d{4}-\d\d-\d\d\)$",
     "package.xml": r"<version>(.*)</version>",
@@ -135,7 +135,7 @@ def launch_names(root):
 
 
 def files(root, folders, suffixes):
-    """Return all files of these folders, without packages inside the package, which have a package.xml of their own."""
+    """Return all files in these folders, except those of packages inside, which have a package.xml of their own."""
     return sorted(
         p
         for folder in folders
@@ -155,7 +155,7 @@ def debian_packages(root):
 
 
 def own_rosdep_problems(root, declared):
-    """scripts/rosdep.yaml may only contain declared keys, each with the package that is installed here."""
+    """Check that scripts/rosdep.yaml contains declared keys only, each with the package that is installed here."""
     text = (root / "scripts" / "rosdep.yaml").read_text()
     for key, package in re.findall(r"^([\w-]+):\n  debian: \[([\w-]+)\]$", text, re.MULTILINE):
         if key not in declared:

@@ -10,25 +10,25 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-LARGEST_PICTURE = 150_000  # bytes; every clone contains all pictures, and all their versions
-# Words that this package used to invent, and the words of the field.
+LARGEST_PICTURE = 150_000  # bytes; every clone contains all versions of all pictures
+# Words that this package invented, and the words that the field uses.
 FOREIGN = {
     "specimen": "component, or test piece", "own parameter": "model parameter", "yardstick": "baseline, or reference",
     "foresee": "predict", "in vain": "false positive", "hasten": "accelerate", "anew": "again", "lets go": "resumes",
     "bear out": "confirm", "goes on": "continues",
 }
-LONGEST_PAGE = 150  # lines of a hand-written page of docs/
+LONGEST_PAGE = 150  # lines of a page in docs/ that was written by hand
 LONGEST_TOUR = 120  # lines of README.md
 GENERATED = {"commands.md", "parameters.md", "topics.md", "effects.md"}
 WRITTEN = {"augmented.yaml", "augmented_full.yaml", "components.yaml", "surrogate.yaml"}  # by a diagnosis, by a user
-# Words that have a plain meaning in comments.
+# These words have a plain meaning in comments.
 PLAIN_IN_COMMENTS = {"own parameter"}
 OTHER_PROGRAMS = re.compile(r"\b(squeue|sbatch|SBATCH)\b")
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.M | re.S)
 
 
 def pages(root):
-    """Return the Markdown pages of the package by their paths, without installed copies and builds."""
+    """Return the Markdown pages of the package by path, except installed copies and builds."""
     found = [*root.glob("*.md"), *root.glob("docs/*.md"), *root.glob("config/**/*.md"), *root.glob("test/*/*.md")]
     return {path: path.read_text(encoding="utf-8") for path in sorted(found)}
 
@@ -52,7 +52,7 @@ def link_violations(root, path, text):
 
 
 def length_violations(root):
-    """Pages must be short enough to be read in a few minutes."""
+    """Check that pages are short enough to be read in a few minutes."""
     limits = {path: LONGEST_PAGE for path in (root / "docs").glob("*.md") if path.name not in GENERATED}
     for path, limit in sorted({**limits, root / "README.md": LONGEST_TOUR}.items()):
         length = len(path.read_text(encoding="utf-8").splitlines())
@@ -61,13 +61,13 @@ def length_violations(root):
 
 
 def options(root):
-    """Return the options of each command, from the page that is compared with the printed help."""
+    """Return the options of each command from docs/commands.md, which is compared with the printed help."""
     sections = re.split(r"^## (\w+)$", (root / "docs/commands.md").read_text(encoding="utf-8"), flags=re.M)[1:]
     return {name: set(re.findall(r"--[\w-]+", text)) for name, text in zip(sections[::2], sections[1::2])}
 
 
 def command_violations(text, known):
-    """Check options and arguments of the command lines in a page, in fenced blocks and in the text."""
+    """Check options and arguments of the command lines on a page, in fenced blocks and in the text."""
     inline = re.findall(r"`(ros(?:run|launch)[^`]+)`", FENCE.sub("", text))
     lines = [line for _, block in FENCE.findall(text) for line in block.replace("\\\n", " ").splitlines()]
     for line in [*lines, *inline]:
@@ -96,7 +96,7 @@ def sources(root):
 
 
 def source_violations(text, known):
-    """Check names of files in the text, with or without their folders."""
+    """Check the names of files in the text, with or without their folders."""
     for name in re.findall(r"`([\w/]+\.(?:cpp|h|py|launch|msg|yaml))`", FENCE.sub("", text)):
         placeholder = re.match(r"(?:.*/)?(?:x[._]|[A-Z])", name)
         if not placeholder and name not in WRITTEN and not any(file.endswith("/" + name) for file in known["sources"]):
@@ -118,7 +118,7 @@ def comment_violations(text):
 
 
 def message_violations(path, text, known):
-    """Messages may name only options of the commands that print them, as far as the folder determines these."""
+    """Check that messages name only options of the commands that print them, as far as the folder determines these."""
     folder, name = path.parts[1], path.stem
     every = set().union(*known.values())
     reading = set.intersection(*(options for options in known.values() if "--columns" in options))
@@ -132,7 +132,7 @@ def message_violations(path, text, known):
 
 
 def header_violations(root):
-    """Each public header has one row in docs/api.md, with a word on its use, and each header there exists."""
+    """Check that each public header has a row in docs/api.md that states its use, and that no row is obsolete."""
     public = {str(path.relative_to(root / "include/rubber_suspension")) for path in (root / "include").rglob("*.h")}
     text = (root / "docs/api.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (`[\w/]+\.h`.*?) \|(.*)\|$", text, re.M)

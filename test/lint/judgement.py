@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Checks that the verdict is determined in one place, from the probabilities of one posterior alone, without further
+"""Checks that the verdict is determined in one file, from the probabilities of one posterior alone, without further
 numbers or comparisons.
 
-Usage: judgement.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+Usage: judgement.py FOLDER_OF_THE_PACKAGE. Prints a line per violation; exit status 1 if there is any.
 """
 
 import pathlib
@@ -10,14 +10,14 @@ import re
 import sys
 
 JUDGE = "src/diagnosis/judge/"
-# The verdict, that of logs without a judgement, and that of a contradictory report.
+# These files determine the verdict: of a judgement, of logs without a judgement, and of a contradictory report.
 SAYS = {JUDGE + "answer.cpp", "src/diagnosis/prepare/bench_evidence.cpp", "src/diagnosis/invariants.cpp"}
 SEES = {"diagnosis/judge/answer.h", "diagnosis/judge/set_posterior.h", "rubber_suspension/diagnosis/posterior.h",
-        "rubber_suspension/diagnosis/verdict.h"}              # the verdict is a function of these
+        "rubber_suspension/diagnosis/verdict.h"}              # the verdict is a function of what these declare
 COMPARE = {JUDGE + "answer.cpp", JUDGE + "set_posterior.cpp"}  # these compare probabilities with each other
 FITTED = {JUDGE + "numbers.h", JUDGE + "numbers.cpp", JUDGE + "fitted_numbers.cpp"}
-NAMED = {"kListed", "kMajority", "kWorthListing", "kLeastSquare", "kTypicalBlocks"}  # meanings and units, no thresholds
-PLAIN = {"0", "1", "2", "0.0", "0.5", "1.0"}                  # in formulas, and indices of hypotheses
+NAMED = {"kListed", "kMajority", "kWorthListing", "kLeastSquare", "kTypicalBlocks"}  # meanings, units; no thresholds
+PLAIN = {"0", "1", "2", "0.0", "0.5", "1.0"}                  # factors in formulas, and indices of hypotheses
 
 SAID = re.compile(r"(?<!Verdict )\b(?:verdict\w*\s*=|return)\s+(?:diagnosis::)?Verdict::|\?\s*Verdict::")
 INCLUDE = re.compile(r'^#include "([^"]+)"')
@@ -27,7 +27,7 @@ NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
 
 def code_lines(path):
-    """Yield lines without comments and strings."""
+    """Yield number and text of each line, without comments and strings."""
     for number, line in enumerate(path.read_text().splitlines(), 1):
         yield number, line if line.startswith("#include") else re.sub(r'"[^"]*"|//.*', "", line)
 

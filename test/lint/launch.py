@@ -31,7 +31,7 @@ def violations(launch):
 
 
 def main():
-    """Check launch/ and print the violations."""
+    """Check all files in launch/, and print the violations."""
     files = sorted((pathlib.Path(sys.argv[1]) / "launch").glob("*.launch"))
     wrong = [f"{path}: {text}" for path in files for text in violations(ElementTree.parse(path).getroot())]
     print("\n".join(wrong), end="\n" if wrong else "")

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Checks the layers: includes point one way only, only ros_interface, bag and the mains know ROS, and each folder of
-diagnosis/ declares in its own namespace.
+"""Checks the layers: includes point in one direction only, only ros_interface, bag and the main programs use ROS, and
+each folder of diagnosis/ declares in its own namespace.
 
-Usage: layers.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+Usage: layers.py FOLDER_OF_THE_PACKAGE. Prints a line per violation; exit status 1 if there is any.
 """
 
 import pathlib
@@ -42,8 +42,8 @@ BELOW = {
         "bag"},
     "benchmark": {"element", "component", "estimation", "numerics", "log", "io", "gap", "diagnosis"},
 }
-# The folders and single headers of diagnosis/ that each of its folders may include. Files beside the folders may
-# include all of them.
+# The folders and single headers of diagnosis/ that each folder in it may include. Files beside the folders may include
+# all of them.
 WITHIN_DIAGNOSIS = {
     "prepare": set(),
     "judge": set(),
@@ -56,7 +56,7 @@ WITHIN_DIAGNOSIS = {
     "report": {
         "words", "prepare/bench_evidence.h", "judge/evidence_json.h", "hypotheses/workings.h"},
 }
-# These folders end the flow: they receive values, and call no earlier step. A writer is not a step.
+# These folders come last. They receive values, and must not call an earlier step. A function that writes is no step.
 ENDS = {"words", "report"}
 NO_STEPS = {"judge::toJson"}
 KNOW_ROS = {"bag", "ros_interface", "apps"}
@@ -79,7 +79,7 @@ def layer_of(path, root):
 
 
 def violation_within(path, header):
-    """Return why a file of diagnosis/ must not include a header of another folder of it; None if it may."""
+    """Return why a file of diagnosis/ must not include a header of another folder in it, or None if it may."""
     own, other = OF_DIAGNOSIS.search(path.as_posix()), OF_DIAGNOSIS.search(header)
     if own is None or other is None or own.group(1) == other.group(1):
         return None
@@ -89,14 +89,14 @@ def violation_within(path, header):
 
 
 def steps_called(path, line):
-    """Return the earlier steps of a diagnosis that a line of a folder at its end calls."""
+    """Return the earlier steps of a diagnosis that a line calls, if the file is in one of the last folders."""
     own = OF_DIAGNOSIS.search(path.as_posix())
     called = set(CALL.findall(line)) - NO_STEPS if own and own.group(1) in ENDS else ()
     return [f"calls {step}(): diagnosis/{own.group(1)} takes values alone" for step in sorted(called)]
 
 
 def violation_of_namespace(path, text, root):
-    """Return why the namespaces of a file of diagnosis/ are wrong: neither of its folder nor of the layer."""
+    """Return the violation if a file of diagnosis/ uses neither the namespace of its folder nor that of the layer."""
     parts = path.relative_to(root).parts
     if parts[:2] != ("src", "diagnosis"):
         return None
@@ -109,7 +109,7 @@ def violation_of_namespace(path, text, root):
 
 
 def violation(layer, header):
-    """Return why a file of this layer must not include the header; None if it may."""
+    """Return why a file of this layer must not include the header, or None if it may."""
     if layer not in KNOW_ROS and (ROS_HEADER.match(header) or OWN_MESSAGE.match(header)):
         return f"{layer} must not know ROS"
     own = OWN_HEADER.match(header)

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Checks that the table in CONTRIBUTING.md has all tests of ctest, in their tiers.
+"""Checks that the table in CONTRIBUTING.md lists all tests of ctest with their tiers.
 
-Usage: tests.py FOLDER_OF_THE_PACKAGE BUILD_FOLDER; one line per violation, exit status 1 if there is any.
-With a third argument, a part of test names or '', it runs these tests one by one instead, and prints the real time and
-the CPU time of each [s]. With a fourth argument `write`, it writes the CPU times to the table.
+Usage: tests.py FOLDER_OF_THE_PACKAGE BUILD_FOLDER. Prints a line per violation; exit status 1 if there is any. With a
+third argument, a part of test names or '', it runs these tests instead, one by one, and prints the real time and the
+CPU time of each [s]. With a fourth argument `write`, it also writes the CPU times to the table.
 """
 
 import fnmatch
@@ -17,7 +17,7 @@ import sys
 import time
 
 ROW = re.compile(r"^\| `([\w*.]+)` \| (quick|all) \|", re.MULTILINE)
-CATKIN = re.compile(r"^_ctest_\w+?_(?=gtest_|rostest_)")  # prefix of the names that catkin makes
+CATKIN = re.compile(r"^_ctest_\w+?_(?=gtest_|rostest_)")  # prefix of names made by catkin
 
 
 def tests_of(build):
@@ -38,7 +38,7 @@ def check(root, build):
         found = [row_tier for pattern, row_tier in rows if fnmatch.fnmatchcase(name, pattern)]
         if found != [tier]:
             problems.append(f"{name}: tier {tier} by its label, {', '.join(found) or 'no row'} in the table")
-    if "all" in tiers.values():  # otherwise the build has only the quick tier
+    if "all" in tiers.values():  # otherwise the build has the quick tier only
         problems += [f"{pattern}: in the table, but no test" for pattern, _ in rows
                      if not fnmatch.filter(tiers, pattern)]
     for problem in problems:

@@ -28,9 +28,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "report"
 
 import browser  # noqa: E402
 
-WIDTH = 120  # of a page [characters]
-COLOURS = 128  # of a picture, because every clone contains all pictures, and all their versions
-# Mean difference of two pictures, relative to the range of brightness: a reduced number of colours causes 0.005,
+WIDTH = 120  # characters per line of a page
+COLOURS = 128  # few colours, because every clone contains all versions of all pictures
+# Mean difference of two pictures, relative to the range of brightness. A smaller number of colours causes 0.005,
 # another curve or line of text more than 0.01.
 SAME_PICTURE = 0.01
 FENCE = re.compile(r"^( *)```(sh run|yaml to \S+|text(?: \d+)?)\n(.*?)^ *```$", re.M | re.S)
@@ -49,14 +49,14 @@ class Page:
         self.text = path.read_text(encoding="utf-8")
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="pages."))
         self.blocks = list(FENCE.finditer(self.text))
-        self.outputs = {}  # printed lines of each block of output, by its index
+        self.outputs = {}  # printed lines by the index of the block that shows them
 
     def here(self, text):
-        """Return a text of the page with the folder of this run in place of /tmp."""
+        """Return a text of the page with the folder of this run instead of /tmp."""
         return text.replace("/tmp/", f"{self.folder}/")
 
     def run(self):
-        """Run all commands in one shell; store the output of each block."""
+        """Run all commands in one shell, and store the output that each block shows."""
         script = PRELUDE.format(root=self.root, programs=self.programs, scripts=self.root / "scripts")
         last = None  # index of the last block of commands
         for i, (kind, content) in enumerate((block[2], self.here(textwrap.dedent(block[3]))) for block in self.blocks):
@@ -85,7 +85,7 @@ class Page:
             self.outputs[i] = lines[:int(count)] if count else lines
 
     def differences(self):
-        """Yield the differences between the page and the output and pictures of its commands."""
+        """Yield the differences between the page and what its commands print and draw."""
         for i, lines in self.outputs.items():
             shown, printed = " ".join(self.blocks[i][3].split()), " ".join(" ".join(lines).split())
             if shown != printed:
@@ -109,7 +109,7 @@ class Page:
                 Image.open(drawn).convert("RGB").quantize(COLOURS).save(old, optimize=True)
 
     def picture(self, file):
-        """Return the file that a picture shows; None without a browser to draw it."""
+        """Return the file that a picture shows, or None if a browser is needed but not installed."""
         path = pathlib.Path(self.here(file))
         if path.suffix != ".html":
             return path
@@ -132,7 +132,7 @@ def wrapped(lines, block):
 
 
 def difference(one, other):
-    """Return the mean difference in brightness of two pictures; 1 if their sizes differ or one is missing."""
+    """Return the mean difference in brightness of two pictures, or 1 if their sizes differ or one is missing."""
     if not one.exists() or not other.exists():
         return 1.0
     pictures = [numpy.asarray(Image.open(path).convert("RGB"), dtype=float) / 255.0 for path in (one, other)]
@@ -140,7 +140,7 @@ def difference(one, other):
 
 
 def problems(root, name, programs, write):
-    """Return the differences of a page, one line each."""
+    """Return the differences of a page, one per line."""
     page = Page(root, root / name, programs)
     try:
         page.run()

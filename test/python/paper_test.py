@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests of scripts/reproduce_paper: the curves pass through every number that the paper gives, to its digits."""
+"""Tests of scripts/reproduce_paper: the curves pass through every number in the paper, to its digits."""
 import importlib.machinery
 import importlib.util
 import math
@@ -14,7 +14,7 @@ import numpy
 from scipy.signal import lfilter
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "reproduce_paper"
-sys.path.insert(0, str(SCRIPT.parent))  # the module that the script imports
+sys.path.insert(0, str(SCRIPT.parent))  # folder of the module that the script imports
 LOADER = importlib.machinery.SourceFileLoader("reproduce_paper", str(SCRIPT))
 SPEC = importlib.util.spec_from_loader("reproduce_paper", LOADER)
 paper = importlib.util.module_from_spec(SPEC)
@@ -27,7 +27,7 @@ M1, M2, M3, M4, M5, M6 = OWN = [(4.2, 0.016711, 0, 1, 0, 1), (3.0, 0, 1.329463, 
 
 
 def friction(maximum_force, z2, z, amplitude, upwards):
-    """Return the two branches of Berg's settled loop, by the equations of 1997."""
+    """Return the force on both branches of Berg's settled loop, by the equations of 1997."""
     peak = maximum_force / (2 * z2) * (math.sqrt(z2**2 + amplitude**2 + 6 * z2 * amplitude) - z2 - amplitude)
     mu = peak / maximum_force if maximum_force else 0.0
     travel = numpy.where(upwards, z + amplitude, amplitude - z)
@@ -36,7 +36,7 @@ def friction(maximum_force, z2, z, amplitude, upwards):
 
 
 def integrated(model, frequency, amplitude, steps=4000):
-    """Return K [kN/mm] and loss angle [deg] by Eqs. 1 and 2 under a sine; the Maxwell element by the midpoint rule."""
+    """Return K [kN/mm] and loss angle [deg] by Eqs. 1 and 2. The Maxwell element uses the midpoint rule."""
     k0, c0, k1, break_frequency, maximum_force, z2 = model
     omega, rate, dt = 2 * math.pi * frequency, 2 * math.pi * break_frequency, 1 / (frequency * steps)
     phase = 2 * math.pi / steps * numpy.arange(1, steps * (2 + int(20 * frequency / rate)) + 1)
@@ -62,7 +62,7 @@ class Figures(unittest.TestCase):
         cls.axes = {number: figure["axes"] for number, (_, figure) in made.items()}
 
     def check(self, points, model, stride=17):
-        """Compare with the integrated model, whose parameters have four or five digits."""
+        """Compare points with the integrated model, whose parameters have four or five digits."""
         for frequency, amplitude, stiffness, angle in points[stride // 2::stride]:
             own_stiffness, own_angle = integrated(model, frequency, 1e3 * amplitude)
             self.assertAlmostEqual(stiffness * 1e-6 / own_stiffness, 1, delta=5e-4, msg=(model, frequency, amplitude))
@@ -83,8 +83,8 @@ class Figures(unittest.TestCase):
         self.assertEqual({points[0][0] for points in self.curves[4][6:]}, {4.0})
 
     def test_4_meets_the_working_point(self):
-        # M1 has K_n as storage stiffness (K is 0.5 % higher), M5 has it between the turning points (0.03 % higher at
-        # the peak). The break frequency of M2 is rounded, so it meets the loss angle to two digits.
+        # K_n of M1 is the storage stiffness, so its K is 0.5 % larger. M5 has K_n between the turning points, and 0.03
+        # % more at the peak. The break frequency of M2 is rounded, so its loss angle has two correct digits.
         for i, accuracy in enumerate((6e-3, 1e-5, 1e-5, 1e-5, 4e-4, 1e-5)):
             _, _, stiffness, angle = at(self.curves[4][i], 4.0)
             self.assertAlmostEqual(stiffness / 4.2e6, 1, delta=accuracy, msg=i)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests of the Python module rubber_suspension_core: the forces of the commands, errors as exceptions, a diagnosis."""
+"""Tests of the Python module rubber_suspension_core: forces equal those of the commands, errors are exceptions."""
 import csv
 import pathlib
 import tempfile
@@ -68,15 +68,15 @@ class Components(unittest.TestCase):
         forces = component.simulate(displacement, dt=1e-3)
         motion = component.start(displacement[0])
         stepped = [motion.force] + [motion.step(1e-3, z) for z in displacement[1:]]
-        self.assertEqual(forces.tolist(), stepped)  # to the last bit
+        self.assertEqual(forces.tolist(), stepped)  # equal to the last bit
         self.assertAlmostEqual(motion.elastic + motion.viscous + motion.friction, motion.force, delta=1e-6)
 
     def test_estimates_a_specification(self):
         component = rs.estimate("multi_maxwell", **FIVE_INPUTS)
         stiffness = component.stiffness(4.0)
-        self.assertAlmostEqual(abs(stiffness) / 4.2e6, 1.0, delta=1e-6)  # the input K_n
+        self.assertAlmostEqual(abs(stiffness) / 4.2e6, 1.0, delta=1e-6)  # K_n of the specification
         self.assertGreater(stiffness.imag, 0.0)
-        self.assertIsNone(rs.load(EXAMPLE, "left_secondary").stiffness(4.0))  # friction is not linear
+        self.assertIsNone(rs.load(EXAMPLE, "left_secondary").stiffness(4.0))  # None, because friction is not linear
         for tolerance, text in (("5 %", "tolerance: 0.05"), ("guess", "tolerance: guess"),
                                 ({"static_stiffness": 0.02}, "tolerance: {static_stiffness: 0.02}")):
             self.assertIn(text, rs.estimate("multi_maxwell", tolerance=tolerance, **FIVE_INPUTS).to_yaml())

@@ -1,4 +1,4 @@
-"""A page in headless Chromium: its dimensions, pictures and prints, by the DevTools protocol over two pipes."""
+"""A page in headless Chromium: dimensions, pictures and prints by the DevTools protocol over two pipes."""
 import base64
 import json
 import os
@@ -8,7 +8,7 @@ import tempfile
 
 
 def chromium():
-    """Return the browser's path, or None if it is not installed."""
+    """Return the path of the browser, or None if it is not installed."""
     return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 

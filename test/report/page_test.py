@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Runs `diagnose` on the shipped example and checks the page: its source, and its look in headless Chromium, if that is
-installed, at 1200 x 900, at 400 px, in the dark and on paper.
+"""Runs `diagnose` on the shipped example and checks the page: its source and, if headless Chromium is installed, its
+look at 1200 x 900, at 400 px, in the dark scheme and on paper.
 
-Usage: page_test.py FOLDER_OF_THE_PROGRAMS EXAMPLE OUTPUT. OUTPUT receives pictures and print. The exit status is 77 if
-Chromium is missing and all other checks pass.
+Usage: page_test.py FOLDER_OF_THE_PROGRAMS EXAMPLE OUTPUT. Pictures and print are written to OUTPUT. The exit status is
+77 if Chromium is missing and all other checks pass.
 """
 import csv
 import html.parser
@@ -20,8 +20,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import browser
 
 PROGRAMS, EXAMPLE, OUTPUT = (os.path.abspath(argument) for argument in sys.argv[1:4])
-LARGEST = 400_000  # bytes, for a page about six logs
-# Elements that exceed the width of a page, except those within drawings, which scale as a whole.
+LARGEST = 400_000  # bytes of a page about six logs
+# Elements that exceed the width of a page. Parts of drawings are excluded, because a drawing scales as a whole.
 TOO_WIDE = """
 Array.from(document.body.querySelectorAll(':not(svg *)')).filter(e => {
   const box = e.getBoundingClientRect();
@@ -29,7 +29,7 @@ Array.from(document.body.querySelectorAll(':not(svg *)')).filter(e => {
     && getComputedStyle(e).display != 'inline' && e.clientWidth > 0);
 }).map(e => e.tagName + '.' + e.className + ': ' + e.textContent.slice(0, 60))
 """
-# Texts of the first screen that overlap or exceed their containers.
+# Texts of the first screen that overlap each other or exceed their containers.
 OVERLAPS = """
 (() => {
   const texts = [], wrong = [];
@@ -59,12 +59,12 @@ OVERLAPS = """
   return wrong;
 })()
 """
-# Fill of the parts of the bar as configured: colour and pattern.
+# Colour and pattern of the parts of the first bar, which shows the configured gap.
 FILLS = """
 Array.from(document.querySelectorAll('.keys i')).map(e => [getComputedStyle(e).backgroundColor,
   getComputedStyle(e).backgroundImage])
 """
-# Contrast of each visible text with its background, by WCAG 2.
+# Contrast between each visible text and its background, by WCAG 2.
 LOW_CONTRAST = """
 (() => {
   const rgb = text => text.match(/[\\d.]+/g).map(Number);
@@ -107,7 +107,7 @@ def example(kind):
 
 
 def reversed_log():
-    """Return a log of the example with the sign of the force reversed, so that the bench has to be checked."""
+    """Write a log of the example with a reversed sign of the force, which must lead to the verdict `check_bench`."""
     path = os.path.join(OUTPUT, "reversed.csv")
     with open(example("log_")[0], encoding="utf-8") as source, open(path, "w", encoding="utf-8") as target:
         header = source.readline()
@@ -121,7 +121,7 @@ def reversed_log():
 
 
 def open_question():
-    """Return the first 200 lines of a log of the example, in which little happens."""
+    """Write the first 200 lines of a log of the example, in which little happens."""
     path = os.path.join(OUTPUT, "open.csv")
     with open(example("log_")[1], encoding="utf-8") as source, open(path, "w", encoding="utf-8") as target:
         target.writelines(source.readlines()[:200])
@@ -129,7 +129,7 @@ def open_question():
 
 
 def shortened_log():
-    """Return a log of the example without its last sample, because the same log twice is refused."""
+    """Write a log of the example without its last sample, because the same log twice would be refused."""
     path = os.path.join(OUTPUT, "shortened.csv")
     with open(example("log_")[0], encoding="utf-8") as source, open(path, "w", encoding="utf-8") as target:
         target.writelines(source.readlines()[:-1])
@@ -137,7 +137,7 @@ def shortened_log():
 
 
 class Outline(html.parser.HTMLParser):
-    """Tags and links of a page."""
+    """Collects tags and links of a page."""
 
     def __init__(self, text):
         super().__init__()
@@ -172,7 +172,7 @@ class WithoutBrowser(Reports):
             outline = Outline(text)
             self.assertNotIn("script", outline.tags)
             self.assertEqual(outline.untitled, 0)
-            for link in outline.links:  # within the page, or to a file of the report
+            for link in outline.links:  # links within the page, or to a file of the report
                 self.assertTrue(link.startswith(("#", "data:image/")) or os.path.isfile(os.path.join(os.path.dirname(page), link)), link)
             self.assertNotRegex(text, r"(?<![\w.])-?(nan|inf)(?![\w.])")
 
@@ -181,12 +181,12 @@ class WithoutBrowser(Reports):
         first = text[:text.index("<h2>")]
         for title in ("Where", "Which, and how far", "How sure"):
             self.assertIn("<h3>%s</h3>" % title, first)
-        self.assertEqual(first.count(" largest\""), 2)  # before and after
+        self.assertEqual(first.count(" largest\""), 2)  # one before and one after the augmentation
         headline = re.search("<h1>(.*?)</h1>", text).group(1)
         self.assertLessEqual(len(headline.split()), 25, headline)
 
     def test_a_bench_to_be_checked_is_seen(self):
-        """The loops as recorded and corrected, drawn and as numbers."""
+        """The page shows the loops as recorded and as corrected, drawn and as numbers."""
         text = self.text(self.pages[1])
         self.assertEqual(text.count("<svg"), 2)
         self.assertLess(text.index("<svg"), text.index("<h2>"))
@@ -207,7 +207,7 @@ class WithoutBrowser(Reports):
             low, high = size["interval_95"]
             self.assertTrue(low <= size["value"] <= high, size)
 
-    # Follows the layout of RPC III: records of 128 bytes, numbers of four.
+    # The checks follow the layout of RPC III: records of 128 bytes, numbers of four bytes.
     def check_drive_file(self, folder):
         with open(os.path.join(folder, "next_experiment.drv"), "rb") as file:
             data = file.read()
@@ -274,7 +274,7 @@ class InChromium(Reports):
         with browser.Page(self.pages[0]) as page:
             page.show(1200, 900)
             fills = page.evaluate(FILLS)
-            self.assertGreater(len(fills), 2)  # values, an effect, the rest
+            self.assertGreater(len(fills), 2)  # values, an effect, and the residual force
             patterns = [re.sub(r"rgb\([^)]*\)", "", image) for _, image in fills]
             self.assertEqual(len(set(patterns)), len(patterns), patterns)
 

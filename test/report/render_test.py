@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Pages drawn by render_report from reports that this test writes: their content, names that resemble HTML, reports of
-an earlier version, machines without Jinja2 or Matplotlib, and the style sheet.
+"""Tests of pages that render_report draws from reports of this test: their content, names that resemble HTML, reports
+of an earlier version, computers without Jinja2 or Matplotlib, and the style sheet.
 
 Usage: render_test.py FOLDER_OF_THE_SCRIPTS
 """
@@ -88,7 +88,7 @@ def report():
 
 
 class Page(html.parser.HTMLParser):
-    """Content of a page as a browser shows it."""
+    """Collects the content of a page as a browser shows it."""
 
     def __init__(self, text):
         super().__init__()
@@ -125,7 +125,7 @@ class Folder(unittest.TestCase):
 
     def run_script(self, *arguments, module=None):
         environment = dict(os.environ)
-        if module:  # a module of that name that fails comes first in the path
+        if module:  # a module with this name that fails comes first in the path
             modules = self.folder / "modules"
             modules.mkdir()
             (modules / (module + ".py")).write_text("raise ImportError('none here')\n")
@@ -367,7 +367,7 @@ class StyleSheet(unittest.TestCase):
     STYLE = (SCRIPTS / "report_page" / "style.css").read_text()
 
     def test_contrast_of_level_aa(self):
-        """WCAG 2.1, for the variables of the three schemes: light, dark, print."""
+        """Checks WCAG 2.1 with the variables of the three schemes: light, dark, print."""
         def luminance(colour):
             linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
                       for c in (int(colour[i:i + 2], 16) / 255.0 for i in (0, 2, 4))]
@@ -381,7 +381,7 @@ class StyleSheet(unittest.TestCase):
                    for block in re.findall(r":root\s*\{([^}]*)\}", self.STYLE)]
         self.assertEqual(len(schemes), 3)
         self.assertIn("@media screen and (prefers-color-scheme: dark)", self.STYLE)
-        schemes[2] = {**schemes[0], **schemes[2]}  # print inherits the light scheme
+        schemes[2] = {**schemes[0], **schemes[2]}  # the print scheme inherits from the light scheme
         for scheme in schemes:
             for text in ("ink", "note", "link", "added", "removed"):
                 for background in ("paper", "soft"):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Checks the files of bench.launch: forces of all samples in both passes, equal to replay's, the gap and a picture."""
+"""Checks the files of bench.launch: forces of all samples in both passes, equal to replay, the gap, and a picture."""
 import csv
 import os
 import pathlib
@@ -17,7 +17,7 @@ PASSES = 2
 
 
 def wait_until(condition, patience=100.0):
-    """Wait until the condition holds; the limit [s] only bounds how long a failure takes."""
+    """Wait until the condition is true, and return False after a time limit [s]."""
     end = time.monotonic() + patience
     while not condition():
         if time.monotonic() > end:
@@ -37,7 +37,7 @@ def nanoseconds(text):
 
 
 def run(command, *arguments):
-    """Run a program as rosrun finds it, which does not search the folder build/ of the package."""
+    """Run a program as rosrun finds it. rosrun does not search the folder build/ of the package."""
     spaces = [pathlib.Path(space) for space in os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)]
     programs = [space / "lib" / "rubber_suspension" / command for space in spaces]
     program = next(path for path in programs if path.exists())
@@ -50,7 +50,7 @@ class BenchLaunch(unittest.TestCase):
         cls.folder = pathlib.Path(rospy.get_param("~folder"))
         cls.records = cls.folder / "records"
         cls.log = rows(rospy.get_param("~log"))
-        # The player registers before it opens its files, and unregisters once they are complete.
+        # The player registers before it opens its files, and unregisters when they are complete.
         last = cls.records / (COMPONENTS[-1] + ".bag")
         if not wait_until(lambda: last.exists() and rospy.get_master().lookupNode("/play_log")[0] != 1):
             raise AssertionError("the playback does not come to its end")
@@ -107,7 +107,7 @@ class BenchLaunch(unittest.TestCase):
     def test_live_plot_draws(self):
         picture = self.folder / "live.png"
         self.assertTrue(wait_until(picture.exists))
-        content = picture.read_bytes()  # never a part of the file, because it is renamed into place once it is complete
+        content = picture.read_bytes()  # the file is complete, because it is renamed into place
         self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(content[-8:-4], b"IEND")
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Tests of messages of the scripts: why apt failed, from logs of apt-get 2.6.1 and dpkg 1.21.22 of Debian 12, the
-progress of a build, and none if they are interrupted.
+"""Tests of messages of the scripts: why apt failed (from logs of apt-get 2.6.1 and dpkg 1.21.22 of Debian 12), the
+progress of a build, and that an interrupted script prints none.
 
 Run in this folder: python3 -m unittest scripts_test
 """
@@ -79,7 +79,7 @@ class Progress(unittest.TestCase):
 
 
 class Interrupted(unittest.TestCase):
-    """A launch file that fails interrupts its other nodes, which must not print a traceback after its message."""
+    """A launch file that fails interrupts its other nodes, which must not print a traceback then."""
 
     def test_live_plot_ends_without_a_traceback(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""A campaign on a real Slurm of two nodes on this machine has each result once, although a node dies with its tasks.
+"""A campaign on a real Slurm of two nodes on this computer has each result once, although a node dies with its tasks.
 
-Usage: slurm_test.py FOLDER_OF_THE_COMMANDS; exit status 77, with the reason, if Slurm is not installed or cannot start.
-All files are in a temporary folder; every daemon is ended by its process id.
+Usage: slurm_test.py FOLDER_OF_THE_COMMANDS. Exit status 77, with the reason, if Slurm is not installed or cannot start.
+All files are in a temporary folder. Every daemon is ended by its process id.
 """
 
 import json
@@ -77,7 +77,7 @@ def wait_for(what, seconds, condition):
 
 
 class Cluster:
-    """munged, slurmctld and two slurmd, with a configuration of their own."""
+    """munged, slurmctld and two slurmd with their own configuration."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
@@ -112,7 +112,7 @@ class Cluster:
 
     def kill_node(self, name):
         """Kill a whole node at once: first the processes that would report it (slurmstepd, slurmd), then the jobs.
-        Return False, and kill nothing, if nothing runs on the node."""
+        Return False without killing anything if no job runs on the node."""
         parents, names, workers = {}, {}, set()
         for entry in pathlib.Path("/proc").glob("[0-9]*"):
             try:
@@ -172,7 +172,7 @@ class OnSlurm(unittest.TestCase):
         (folder / "bush.yaml").write_text(
             "components:\n  bush:\n    model: maxwell\n    specification: {static_stiffness: 1.0e6, dynamic_stiffness: "
             "1.3e6, nominal_frequency: 4.0, break_frequency: 3.0}\n", encoding="utf-8")
-        # The log is long enough for a task to take a second or more.
+        # The log is long enough that a task takes a second or more.
         rows = "".join(f"{0.001 * i:.3f},{1e-6 * (i % 2000 - 1000):.9f}\n" for i in range(40000))
         (folder / "log.csv").write_text("time_s,displacement_m\n" + rows, encoding="utf-8")
         (folder / "jobs.yaml").write_text(
@@ -181,7 +181,7 @@ class OnSlurm(unittest.TestCase):
             encoding="utf-8")
 
     def records(self, name):
-        """Return the records, without the hidden file that a killed process was writing."""
+        """Return the records, except for the hidden file that a killed process was writing."""
         found = (pathlib.Path(self.folder) / name / "results").glob("*/*.json")
         return [path for path in found if not path.name.startswith(".")]
 
@@ -193,7 +193,7 @@ class OnSlurm(unittest.TestCase):
         alone = self.campaign("run", str(folder / "alone"), "--threads", "1")
         self.assertEqual(alone.returncode, 0, alone.stderr)
 
-        # Shards are short enough for several tasks on each node; the first shard gives the time of a job.
+        # Shards are so short that each node gets several tasks. The first shard gives the time of a job.
         first = self.campaign("run", str(folder / "cluster"), "--shard", "1/20", "--threads", "1")
         self.assertEqual(first.returncode, 0, first.stderr)
         seconds = self.seconds_per_job("cluster")

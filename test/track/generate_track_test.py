@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests of scripts/generate_track: its spectrum and its vehicle, compared with independent calculations."""
+"""Tests of scripts/generate_track: its spectrum and its vehicle agree with independent calculations."""
 
 import importlib.machinery
 import importlib.util
@@ -11,7 +11,7 @@ import unittest
 import numpy
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "generate_track"
-sys.path.insert(0, str(SCRIPT.parent))  # for the module that it imports
+sys.path.insert(0, str(SCRIPT.parent))  # folder of the module that the script imports
 LOADER = importlib.machinery.SourceFileLoader("generate_track", str(SCRIPT))
 SPEC = importlib.util.spec_from_loader("generate_track", LOADER)
 generate_track = importlib.util.module_from_spec(SPEC)
@@ -24,7 +24,7 @@ def options(*arguments):
 
 class Track(unittest.TestCase):
     def test_spectrum_has_its_published_form(self):
-        # Far below both corners S = A / Wr^2, far above A Wc^2 / W^4, up to terms of second order in the ratios.
+        # The spectrum is A / Wr^2 far below both corner frequencies and A Wc^2 / W^4 far above, up to second order.
         low = 4.032e-7
         self.assertAlmostEqual(generate_track.spectrum(1e-6, "low") / (low / 0.0206**2), 1, delta=1e-6)
         self.assertAlmostEqual(generate_track.spectrum(1e3, "low") / (low * 0.8246**2 / 1e12), 1, delta=1e-5)
@@ -40,24 +40,24 @@ class Track(unittest.TestCase):
         for seed in range(20):
             given.seed = seed
             variances.append(numpy.mean(generate_track.generate(given) ** 2))
-        # The spread of single draws gives the standard error of the mean of twenty; the tolerance is five of these,
-        # plus the fade-in of one second in 600, at most 0.2 %.
+        # The standard error of the mean of twenty draws follows from their scatter. The tolerance is five standard
+        # errors, plus 0.2 % for the fade-in of one second in 600.
         tolerance = 5 * numpy.std(variances, ddof=1) / math.sqrt(20) + 0.002 * expected
         self.assertLess(abs(numpy.mean(variances) - expected), tolerance)
-        self.assertLess(tolerance, 0.3 * expected)  # else the test would not be sharp
+        self.assertLess(tolerance, 0.3 * expected)  # otherwise the test would accept too much
 
     def test_measured_density_is_the_expected_one(self):
-        # Each value is a mean of 16 periodograms, each of which scatters as much as its mean, so the ratio is close to
-        # 1 over all lines of the band. Neighbouring lines of a Hann window share 1.5 lines.
+        # Each value is the mean of 16 periodograms, whose standard deviation equals their mean. So the ratio is close
+        # to 1 over all lines of the band. Neighbouring lines of a Hann window share 1.5 lines.
         given = options("--duration", "600", "--sampling-rate", "200")
         frequency, density = generate_track.measured_density(generate_track.generate(given), given.sampling_rate)
-        # The window spreads the edges of the band, which are excluded.
+        # The edges of the band are excluded, because the window spreads them.
         band = (frequency > 1.5 * given.speed / given.longest) & (frequency < 0.9 * given.speed / given.shortest)
         ratio = density[band] / generate_track.expected_density(given, frequency[band])
         self.assertLess(abs(numpy.mean(ratio) - 1), 5 / math.sqrt(16 * numpy.count_nonzero(band) / 1.5))
 
     def test_vehicle_answers_as_its_equations_of_motion_say(self):
-        # A sine of the track is integrated until transients have decayed, and compared with the transfer function.
+        # The equations are integrated under a sine of the track until transients have decayed.
         box = generate_track.AxleBox()
         for frequency in (1.0, 2.5, 8.0):
             amplitude = self.integrated_amplitude(box, frequency)
@@ -77,7 +77,7 @@ class Track(unittest.TestCase):
                 [bogie_rate, (primary - secondary) / box.bogie_mass, body_rate, secondary / box.body_mass]
             )
 
-        # The slowest transient (body on secondary) falls by exp(-1/s) or faster, below 1e-5 after 15 s.
+        # The slowest transient (body on secondary) falls by exp(-1/s) or faster, so it is below 1e-5 after 15 s.
         step, state, peak = 1.0 / frequency / 400, numpy.zeros(4), 0.0
         for i in range(int(15 / step)):
             time = i * step

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# The virtual bench of docs/example.md: a bush that its data sheet does not describe completely, on a machine that
-# writes German text. It shares no code with the package.
+# The virtual bench of docs/example.md: a bush that its data sheet does not describe completely, on a bench that writes
+# German text. It shares no code with the package.
 """Write the specification of a bush and logs of a virtual bench: bench_logs.py EFFECT FOLDER."""
 import argparse
 import os
@@ -27,7 +27,7 @@ COMPONENT = """components:
 
 
 def eased(z):
-    """Let the motion start and end with a second of standstill and a second of transition."""
+    """Make the motion start and end with a second of standstill and a second of transition."""
     n = int(RATE)
     ramp = 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / n)
     z[:n], z[-n:] = z[:n] * ramp, z[-n:] * ramp[::-1]
@@ -35,7 +35,7 @@ def eased(z):
 
 
 def programme():
-    """Displacement of each log [m]: a sweep at the highest speed, sines at three levels, a track-like test."""
+    """Return the displacements [m]: a sweep at the highest speed, sines at three levels, a track-like test."""
     t = np.arange(int(30 * RATE)) / RATE
     rise = np.log(20.0 / 0.3) / t[-1]
     frequency = 0.3 * np.exp(rise * t)
@@ -52,7 +52,7 @@ def programme():
 
 
 def dahl(z, limit=250.0, length=0.15e-3):
-    """Dahl's friction: dF/dz = limit/length (1 - F/limit sign(dz))."""
+    """Return Dahl's friction: dF/dz = limit/length (1 - F/limit sign(dz))."""
     force = np.zeros_like(z)
     for i, step in enumerate(np.diff(z), 1):
         side = 1.0 if step > 0.0 else -1.0
@@ -61,12 +61,12 @@ def dahl(z, limit=250.0, length=0.15e-3):
 
 
 def stop(z):
-    """A stop of 3 kN/mm beyond 4 mm on both sides."""
+    """Return the force of a stop of 3 kN/mm beyond 4 mm on both sides."""
     return 3e6 * np.sign(z) * np.maximum(np.abs(z) - 4e-3, 0.0)
 
 
 def warm(z, force):
-    """The force falls by 1 % per 15 J of heat in the rubber, which decays with a time constant of 120 s."""
+    """Return the force of warming rubber: 1 % less per 15 J of heat, which decays with a time constant of 120 s."""
     loss = np.cumsum(force * np.gradient(z))
     heat, decay = np.zeros_like(z), np.exp(-1.0 / (RATE * 120.0))
     smooth = np.convolve(np.diff(loss, prepend=0.0), np.full(int(RATE), 1.0 / RATE), "same")

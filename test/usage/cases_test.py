@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Small inputs as laboratories write them: each is read right, or refused with a message that names the remedy.
+"""Small inputs as laboratories write them. Each must be read correctly, or refused with a message that names the
+remedy.
 
-The folder is that of the variable RUBBER_SUSPENSION_CASES; without it the test is skipped with one line.
+RUBBER_SUSPENSION_CASES names their folder. Without this variable the test is skipped with one line.
 Usage: cases_test.py FOLDER_OF_THE_COMMANDS
 """
 import csv
@@ -22,7 +23,7 @@ BUSH = """components:
       - {type: maxwell, stiffness: 0.2 kN/mm, break_frequency: 3 Hz}
 """
 
-# Results of `replay` for a log: file, further arguments, status, words on stderr, number of rows.
+# Expected results of `replay` for logs: file, further arguments, status, words on stderr, number of rows.
 LOGS = (
     ("continued_blocks/mts793_blocks.dat", "", 0, "one log", 2400),
     ("continued_blocks/mts793_blocks.dat", "--segment all", 0, "the header is repeated 5 times while time continues", 2400),
@@ -55,7 +56,7 @@ LOGS = (
     ("rostopic_echo_yaml/echo.txt", "", 1, "rostopic echo -p", 0),
 )
 
-# Results of `estimate --from-table` for a table: file, status, words on stdout or stderr.
+# Expected results of `estimate --from-table` for tables: file, status, words on stdout or stderr.
 TABLES = (
     ("tables_of_laboratories/kdyn_din.csv", 0, "18 points"),
     ("tables_of_laboratories/t_german.csv", 0, "18 points"),
@@ -99,7 +100,7 @@ def differences(cases, scratch):
     report = json.loads((scratch / "reversed" / "report.json").read_text())
     if (report["verdict"], [one["finding"] for one in report["rig_findings"]]) != ("check_bench", ["sign"]):
         yield f"t_negphase.csv: {report['verdict']}, {report['rig_findings']}; expected: check_bench, sign"
-    # Units of damping as laboratories write them.
+    # The units of damping are those that laboratories write.
     result = run("estimate", "--config", cases / "tables_of_laboratories" / "el.yaml")
     if result.returncode != 0:
         yield f"el.yaml: {result.stderr.strip()}"

@@ -21,7 +21,7 @@ import scipy.io
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 CONFIG = pathlib.Path(__file__).resolve().parents[2] / "config"
-# A spring with two Maxwell elements, with known K*.
+# A spring with two Maxwell elements, whose K* is known.
 K, K1, F1, K2, F2 = 2e6, 5e5, 1.0, 8e5, 20.0
 COMPONENT = f"""components:
   bush:
@@ -44,7 +44,7 @@ def run(command, *arguments):
 
 
 def rpc(channels, step, big_end=False, floats=False, frame=256, group=512):
-    """Return a file of RPC III; each channel has a name, unit, scale and numbers. Zeros fill the last frame."""
+    """Return a file of RPC III. Each channel has a name, unit, scale and numbers. Zeros fill the last frame."""
     end, kind = (">" if big_end else "<"), ("f" if floats else "h")
     frames = math.ceil(len(channels[0][3]) / frame)
     records = {"FORMAT": "BINARY_IEEE_BIG_END" if big_end else "BINARY_IEEE_LITTLE_END", "NUM_HEADER_BLOCKS": "",
@@ -66,7 +66,7 @@ def rpc(channels, step, big_end=False, floats=False, frame=256, group=512):
 
 
 def curves(text):
-    """Return the blocks of numbers of an Adams property file by name; each line has a position and a force."""
+    """Return the blocks of numbers in an Adams property file by name. Each line is a position and a force."""
     blocks = {}
     name = None
     for line in text.splitlines():
@@ -143,7 +143,7 @@ class Formats(unittest.TestCase):
         rows = [f"{t!r},{d!r},{K * d!r}\n" for t, d in zip(time.tolist(), z.tolist())]
         csv_with = "time_s,displacement_m,force_N\n{}{}{}".format
         halves = "".join(rows[:3000]), "".join(rows[3000:])
-        # Files that are cut off, or contain a displacement out of range, or one whose simulated force is out of range.
+        # Files that are truncated, or contain a displacement or a simulated force out of range.
         for name, content, status in (("log.mat", mat, 0), ("log.mat", mat[:len(mat) // 2], 1),
                                       ("log.csv", csv_with(halves[0], "", halves[1]), 0),
                                       ("log.csv", csv_with(halves[0], "2.9995,1e31,0\n", halves[1]), 1),
@@ -178,11 +178,11 @@ class Formats(unittest.TestCase):
         damping = {key.strip(): float(value) for key, value in blocks["DAMPING"]}
         self.assertLess(abs(damping["FX_DAMPING"] / (stiffness(4).imag / (2 * math.pi * 4) / 1e3) - 1), 1e-6)
         self.assertEqual(damping["FY_DAMPING"], 0.0)
-        for note in answer.stderr.splitlines():  # the file contains the notes of the terminal
+        for note in answer.stderr.splitlines():  # the file contains the notes that the terminal shows
             self.assertIn("$ " + note.removeprefix("export: note: "), text)
         self.assertIn("at 4 Hz and 1 mm the component has", text)
 
-    # A component is exported, fitted to the table, and exported again: K and loss angle agree to 0.1 %.
+    # Exporting a component, fitting it to the table and exporting it again gives K and loss angle within 0.1 %.
     def test_tables_are_read_back(self):
         example = CONFIG / "example.yaml"
         for name in ("left_secondary", "berg_example"):

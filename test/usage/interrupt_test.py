@@ -3,8 +3,8 @@
 
 Usage: interrupt_test.py FOLDER_OF_THE_COMMANDS
 
-Each command runs once to its end, and then repeatedly until SIGINT reaches it and its child processes, as from a
-terminal: after given shares of its time, and as soon as it begins to write.
+Each command runs to its end once. Then it runs repeatedly, and SIGINT is sent to it and its child processes as a
+terminal does: after given shares of its duration, and as soon as it begins to write.
 """
 import importlib.util
 import json
@@ -23,11 +23,11 @@ import unittest
 from usage_test import CONFIG, PROGRAMS, SHEET
 
 SCRIPTS = CONFIG.parent / "scripts"
-SHARES = (0.3, 0.8)  # of the duration of the command
+SHARES = (0.3, 0.8)  # shares of the duration of a command
 SAMPLES = 20_000
 
-# Commands that end by themselves, in a folder with component.yaml, log.csv (long), short.csv, run.bag, half_bogie.yaml,
-# sheet.yaml, jobs.yaml and campaign, a completed campaign; they write to `out`.
+# Commands that end by themselves. Their folder contains component.yaml, log.csv (long), short.csv, run.bag,
+# half_bogie.yaml, sheet.yaml, jobs.yaml and a completed campaign. They write to `out`.
 CALLS = (
     "bag_to_csv --log run.bag --output out/run.csv",
     "csv_to_bag --component bush --log log.csv --output out/run.bag",
@@ -67,7 +67,7 @@ def start(line, folder):
 
 
 def files_in(folder):
-    """Return the sizes of files, without any that a running program renames meanwhile."""
+    """Return the sizes of files, except for files that a running program renames meanwhile."""
     sizes = {}
     for path in folder.rglob("*"):
         try:
@@ -79,7 +79,7 @@ def files_in(folder):
 
 
 def is_complete(path, size):
-    """Check a file against the size of the same file of a complete run; reports differ in their dates."""
+    """Return True if a file is complete: HTML and JSON by their ends, others by the size of a complete run."""
     if path.suffix == ".html":
         return path.read_text(encoding="utf-8").rstrip().endswith("</html>")
     if path.suffix == ".json":
@@ -121,7 +121,7 @@ class Interrupt(unittest.TestCase):
         (self.folder / "out").mkdir()
 
     def interrupt(self, line, when):
-        """Run a command until `when(process)` returns, then send Ctrl-C; return the exit status."""
+        """Run a command until `when(process)` returns, send Ctrl-C, and return the exit status."""
         process = start(line, self.folder)
         when(process)
         try:
@@ -139,7 +139,7 @@ class Interrupt(unittest.TestCase):
                 self.assertTrue(is_complete(self.folder / path, reference[path]), f"{line}: {path} is cut off")
         for path, size in before.items():
             if path.suffix == ".html" and not (self.folder / path).exists():
-                continue  # an old page is removed before new data are written, and the new page is drawn afterwards
+                continue  # an old page is removed before new data are written; the new page is drawn at the end
             self.assertTrue(is_complete(self.folder / path, reference.get(path, size)), f"{line}: {path} is damaged")
 
     def begins_to_write(self, known):
@@ -154,7 +154,7 @@ class Interrupt(unittest.TestCase):
             if not program(line.split()[0]).exists():  # half_bogie needs Simbody
                 continue
             if "reproduce_paper" in line and not importlib.util.find_spec("rubber_suspension_core"):
-                continue  # no Python module was built
+                continue  # the Python module was not built
             with self.subTest(line):
                 self.empty()
                 before = files_in(self.folder)
@@ -181,7 +181,7 @@ def free_port():
 
 
 class InterruptPlayback(unittest.TestCase):
-    """Recordings of a playback contain whole rows for all samples that were answered."""
+    """Recordings of a playback contain complete rows for all samples that were answered."""
 
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -203,7 +203,7 @@ class InterruptPlayback(unittest.TestCase):
         return process
 
     def interrupt(self, *words):
-        """Send Ctrl-C a second after the program has begun to write; return its stderr."""
+        """Send Ctrl-C one second after the program has begun to write, and return its stderr."""
         process = self.start(*words, stderr=subprocess.PIPE)
         out = self.folder / "out"
         end = time.monotonic() + 60

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# With many logs, long logs, dense logs or logs with many pauses, a diagnosis takes no more memory than it reports to
-# need, and ends with that; with less it reports the need before the search. The system kills nothing.
+# A diagnosis must not take more memory than it states to need, with many logs, long or dense logs, or many pauses. With
+# less memory it must state the need before the search. The system must not kill it.
 """Diagnoses under limits of the address space."""
 import argparse
 import os
@@ -24,7 +24,7 @@ CONFIG = """components:
 
 
 def write_log(path, rng, duration, rate, pauses):
-    """Sines with friction of 8 N, interrupted by pauses of 9 s."""
+    """Write a log of sines with friction of 8 N, interrupted by pauses of 9 s."""
     time = np.arange(0.0, duration, 1.0 / rate)
     displacement = 1e-3 * rng.uniform(0.5, 2.0) * (1.0 - np.cos(2.0 * np.pi * rng.integers(1, 5) * time))
     force = 25000.0 * displacement + 8.0 * np.tanh(np.gradient(displacement, time) / 1e-3)
@@ -34,7 +34,7 @@ def write_log(path, rng, duration, rate, pauses):
                header="time_s,displacement_m,force_N", comments="")
 
 
-# logs, hold-outs, seconds, samples per second, pauses in each, threads; the suite runs the first ten, which differ most
+# logs, hold-outs, seconds, samples per second, pauses per log, threads; the suite runs the first ten, which differ most
 KINDS = [(1, 0, 8, 100, 0, 1), (1, 0, 8, 100, 0, 8), (5, 2, 10, 250, 0, 4), (100, 10, 2, 60, 0, 4),
          (1, 0, 100, 100, 99, 2), (2, 2, 20, 100, 9, 1), (1, 0, 20, 5000, 0, 2), (2, 0, 40, 2000, 0, 8),
          (1, 1, 200, 500, 0, 2), (30, 30, 4, 100, 1, 2), (1, 1, 20, 500, 0, 2), (5, 0, 20, 250, 0, 2),
@@ -43,7 +43,7 @@ KINDS = [(1, 0, 8, 100, 0, 1), (1, 0, 8, 100, 0, 8), (5, 2, 10, 250, 0, 4), (100
 
 
 def diagnose(command, limit):
-    """Return exit status, standard error, and the peak of the resident memory [bytes]."""
+    """Return the exit status, standard error, and peak of the resident memory [bytes]."""
     def restrict():
         if limit:
             resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
@@ -58,7 +58,7 @@ def bytes_of(number, unit):
 
 
 def check(diagnose_program, kind, folder):
-    """Return an error of the memory of a diagnosis of this kind; empty if there is none."""
+    """Return the error in the memory of a diagnosis of this kind, or an empty text."""
     logs, held_out, duration, rate, pauses, threads = kind
     rng = np.random.default_rng(1)
     paths = []
@@ -71,14 +71,14 @@ def check(diagnose_program, kind, folder):
     command = [diagnose_program, "--config", config, "--component", "bush", "--threads", str(threads), "--output",
                os.path.join(folder, "out"), "--log", *paths[:logs]]
     command += ["--hold-out", *paths[logs:]] if held_out else []
-    said, limit = 0.0, 150  # too little for the search; threads need addresses of their own
+    said, limit = 0.0, 150  # too little for the search; threads need more addresses
     status, errors, peak = diagnose(command, limit * MEBIBYTE)
     while refused := re.search(r"needs about ([\d.]+) (MiB|GiB)", errors) or (said == 0.0 and OUT_OF_MEMORY in errors):
         said = said if refused is True else bytes_of(*refused.groups())
         limit = max(limit + 50, int(said / MEBIBYTE))
         status, errors, peak = diagnose(command, limit * MEBIBYTE)
     print(f"{kind}: needs {said / MEBIBYTE:.0f} MiB, took {peak / MEBIBYTE:.0f} MiB below {limit} MiB", flush=True)
-    if status not in (0, 3):  # 3: the report, after the search, has no verdict
+    if status not in (0, 3):  # 3: a report without a verdict, after the search
         return f"status {status} below {limit} MiB: {errors.strip()[:200]}"
     return "" if peak <= said or said == 0.0 else f"took {peak / MEBIBYTE:.0f} MiB, said {said / MEBIBYTE:.0f} MiB"
 

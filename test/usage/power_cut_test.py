@@ -3,8 +3,8 @@
 
 Usage: power_cut_test.py FOLDER_OF_THE_COMMANDS [KILLS]
 
-With strace: each file is on the disk before it is renamed, and its folder after that. With kill -9 at random moments:
-every file under its final name is complete, the old one or the new one.
+With strace, each file must be on the disk before it is renamed, and its folder after that. With kill -9 at random
+moments, every file under its final name must be complete: the old file or the new one.
 """
 import os
 import pathlib
@@ -32,13 +32,13 @@ TRACED = ("strace", "-f", "-y", "-qq", "-s", "4096", "-e", "trace=fsync,rename",
 
 
 def unsynced(trace):
-    """Return the renamed files without fsync of the file before or of its folder after, and all renamed files."""
+    """Return the renamed files without fsync of the file before or of the folder after, and all renamed files."""
     calls = [line.split(" ", 1)[1].strip() for line in trace.read_text().splitlines()]
     synced = [re.match(r"fsync\(\d+<([^>]*)>\) += 0", call) for call in calls]
     wrong, renamed = [], []
     for i, call in enumerate(calls):
         match = re.match(r'rename\("([^"]*)", "([^"]*)"\) += 0', call)
-        if not match or match[1].endswith(".new"):  # a campaign's heartbeat, useless after a power cut
+        if not match or match[1].endswith(".new"):  # the heartbeat of a campaign is not needed after a power cut
             continue
         written, target = match.groups()
         renamed.append(os.path.basename(target))
@@ -94,7 +94,7 @@ class PowerCut(unittest.TestCase):
         wrong, renamed = unsynced(trace)
         self.assertEqual(wrong, [])
         self.assertIn(state.name, renamed)
-        os.killpg(node.process.pid, signal.SIGKILL)  # strace and the node
+        os.killpg(node.process.pid, signal.SIGKILL)  # kills both strace and the node
 
     def test_a_kill_leaves_old_or_new(self):
         lines = (DIAGNOSE, REPLAY, CAMPAIGN)

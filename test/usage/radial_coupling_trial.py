@@ -32,7 +32,7 @@ FORMS = {
 
 
 def motion(rng, amplitude):
-    """Return a motion whose frequency and amplitude change slowly, up to some 6 Hz."""
+    """Return a motion of up to some 6 Hz, whose frequency and amplitude change slowly."""
     time = STEP * np.arange(SAMPLES)
     frequency = 3.5 + 2.5 * np.sin(rng.uniform(0.6, 1.0) * time + rng.uniform(0.0, 6.0))
     envelope = 0.55 + 0.45 * np.sin(rng.uniform(0.9, 1.4) * time + rng.uniform(0.0, 6.0))
@@ -49,7 +49,7 @@ def maxwell(z, stiffness, frequency):
 
 
 def sliders(path, yields, stiffness, is_round):
-    """Return the force of sliders in parallel, with round limits, or limits for each direction alone."""
+    """Return the force of sliders in parallel, whose limits are round, or separate for each direction."""
     stretch, force = np.zeros((len(yields), 2)), np.zeros_like(path)
     for i in range(1, len(path)):
         stretch += path[i] - path[i - 1]
@@ -60,7 +60,7 @@ def sliders(path, yields, stiffness, is_round):
 
 
 def radial_form(rng):
-    """Return h(r) of a force h(r) (x, y), without unit, and its name: a form times a smooth random factor."""
+    """Return a name and h(r) of the force h(r) (x, y), without unit: a form times a smooth random factor."""
     name = rng.choice(sorted(FORMS))
     p, error = rng.uniform(), rng.uniform(0.1, 0.3)
     waves, phases = rng.uniform(1.0, 5.0, 3), rng.uniform(0.0, 2.0 * np.pi, 3)
@@ -74,7 +74,7 @@ def radial_form(rng):
 
 
 class Bench:
-    """A random bush with its model as the manufacturer knows it, and three logs."""
+    """A random bush, its model as the manufacturer would write it, and three logs."""
 
     def __init__(self, rng, kind):
         self.kind, self.form = kind, ""
@@ -157,7 +157,7 @@ def table(points, forces):
 
 
 def diagnose(programs, seed, kind):
-    """Diagnose a bench; return it with the verdict, the effects named in x and the gaps."""
+    """Diagnose a bench, and return it with the verdict, the effects named in x, and the gaps."""
     bench = Bench(np.random.default_rng(seed), kind)
     with tempfile.TemporaryDirectory(prefix="radial.") as scratch:
         folder = pathlib.Path(scratch)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Diagnoses directions of a bush by the commands: it has friction in x alone, and its model has none.
+"""Diagnoses single directions of a bush with the commands. The bush has friction in x only, and its model has none.
 
 Usage: six_directions_test.py FOLDER_OF_THE_COMMANDS
 """
@@ -18,8 +18,8 @@ PROGRAMS = pathlib.Path(sys.argv[1]).resolve()
 COORDINATES = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")
 WRENCH = ("Fx_N", "Fy_N", "Fz_N", "Mx_Nm", "My_Nm", "Mz_Nm")
 SAMPLES, STEP = 3000, 0.004
-FRICTION = 150.0  # [N], of the entry in the file, at the factor 1.2 of the preload
-# The bush is away from the origins of both bodies, so that the force in x causes a moment about z.
+FRICTION = 150.0  # friction in the file [N], at the factor 1.2 of the preload
+# The bush is away from the origins of both bodies, so the force in x causes a moment about z.
 MODEL = """components:
   bush:
     directions:
@@ -48,7 +48,7 @@ def write(path, columns, rows):
 
 
 def motion(path, seed):
-    """Write a motion of x, z and rz with different frequencies and amplitudes of up to 2 mm and 1.5 deg."""
+    """Write a motion of x, z and rz with different frequencies, and with amplitudes of up to 2 mm and 1.5 deg."""
     generator = random.Random(seed)
     phases = [generator.uniform(0.0, 2.0 * math.pi) for _ in range(3)]
     rows = []
@@ -64,7 +64,7 @@ def motion(path, seed):
 
 
 def measure(simulated, measured, seed):
-    """Add sensor noise of 10 N and 0.2 N m to a simulated log."""
+    """Add noise of the sensors of 10 N and 0.2 N m to a simulated log."""
     generator = random.Random(seed)
     with open(simulated, newline="") as file:
         rows = [[float(value) for value in row] for row in list(csv.reader(file))[1:]]
@@ -101,7 +101,7 @@ class SixDirections(unittest.TestCase):
         cls.scratch.cleanup()
 
     def gaps(self, config):
-        """Return the gap of each direction, as replay prints them."""
+        """Return the gap of each direction, as replay prints it."""
         status, said, errors = run("replay", "--config", config, "--log", self.logs[0], "--output", self.folder / "out.csv")
         self.assertEqual(status, 0, errors)
         return {name: float(gap) for name, gap in re.findall(r"gap in (\w+) ([\d.]+)", said)}
@@ -120,7 +120,7 @@ class SixDirections(unittest.TestCase):
         self.assertEqual([(row["of"], row["by"]) for row in shares],
                          [(of, by) for of in ("x", "z") for by in ("x", "y", "z", "rx", "ry", "rz") if of != by])
         for row in shares:
-            if row["by"] in ("y", "rx", "ry"):  # these do not move
+            if row["by"] in ("y", "rx", "ry"):  # these directions do not move
                 self.assertIsNone(row["share"])
             else:
                 self.assertLess(row["share"], 0.05)
@@ -132,7 +132,7 @@ class SixDirections(unittest.TestCase):
         self.assertAlmostEqual(after["z"], before["z"], delta=1e-3)
         text = (self.report / "augmented.yaml").read_text()
         self.assertRegex(text, r"# x: named\. Gap ")
-        force = float(re.search(r"type: iwan, .*maximum_force: ([\d.]+) N", text).group(1))  # before the factor
+        force = float(re.search(r"type: iwan, .*maximum_force: ([\d.]+) N", text).group(1))  # without preload factor
         # On a settled loop, Iwan's law has up to 2.37/1.99 times the force of Berg's law with the same parameters.
         self.assertTrue(0.95 * 1.99 / 2.37 * FRICTION < force < 1.05 * FRICTION, force)
         self.assertIn("stiffness_by_preload", text)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Tests of messages on options: those without effect are refused, misspelt ones named, odd values cause a warning, each
-in one line on stderr. The examples in the help work as printed.
+"""Tests of messages about options: options without effect are refused, misspelt options are named, unusual values cause
+a warning, each in one line on stderr. The examples in the help work as printed.
 
 Usage: usage_test.py FOLDER_OF_THE_COMMANDS
 """
@@ -19,7 +19,7 @@ BUSH = str(CONFIG / "diagnosis_example" / "component.yaml")
 LOG = str(CONFIG / "diagnosis_example" / "log_1_sweep.csv")
 WRONG_USAGE = 2
 
-# Command line, and words of its single line on stderr.
+# Command line, and words in its single line on stderr.
 REFUSED = (
     ("estimate --data-sheet x.yaml --csv x.csv", "--csv has no effect with --data-sheet"),
     ("estimate --data-sheet x.yaml --component a", "--component has no effect with --data-sheet"),
@@ -42,7 +42,7 @@ REFUSED = (
     (f"replay --config {BUSH} --log {LOG} --output o --sampling-rate 0", "out of range; accepted: greater than 0"),
     (f"replay --config {BUSH} --log {LOG} --output o --unit mm,kN", "accepted: QUANTITY=UNIT"),
     (f"replay --config {BUSH} --log {LOG} --output o --decimal ;", "accepted: , or . (comma or point)"),
-    # The messages suggest what was meant.
+    # The messages suggest what was probably meant.
     (f"replay --confg {BUSH} --log {LOG}", "no option --confg (did you mean --config?)"),
     (f"estimate {BUSH}", f"accepted: --config {BUSH}"),
     (f"replay --config {BUSH} --log {LOG} --output o --rate 9", "no option --rate (did you mean --sampling-rate?)"),
@@ -72,10 +72,10 @@ class Usage(unittest.TestCase):
                 self.assertEqual(answer.stderr.count("\n"), 1)
 
 
-# Commands whose examples need no node and take no minutes, in an order in which each finds the output of earlier ones.
+# These commands have examples that take no node and no minutes. Each finds the output of earlier ones in this order.
 EXEMPLIFIED = ("csv_to_bag", "bag_to_csv", "replay", "export", "estimate", "diagnose",
                "campaign", "reference", "half_bogie")
-ELSEWHERE = ("man -l", "--forces topics")  # examples that need a program that may not be installed, or a node
+ELSEWHERE = ("man -l", "--forces topics")  # examples that need a node or a program that may be missing
 SHEET = ("data_sheet:\n  component: bush\n  load: compression\n  shore_a: 60\n  loaded_area: 100 cm^2\n"
          "  layer_thickness: 20 mm\n  shape_factor: 1.25\n  dynamic_to_static_ratio: 1.4\n  nominal_frequency: 4 Hz\n"
          "  loss_angle: 5.7 deg\n")
@@ -83,7 +83,7 @@ JOBS = "jobs:\n  one:\n    command: replay\n    config: component.yaml\n    log:
 
 
 def examples_of(command):
-    """Return the calls that --help prints."""
+    """Return the command lines under "Examples" in --help."""
     answer = subprocess.run([PROGRAMS / command, "--help"], capture_output=True, text=True, timeout=60, check=True)
     text = answer.stdout.partition("\nExamples:\n")[2].replace("\\\n", " ")
     return [line.strip() for line in text.splitlines() if not line.startswith("  #")]
@@ -125,7 +125,7 @@ class Folders(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             descriptor = os.open(folder, os.O_RDONLY)
             try:
-                fcntl.flock(descriptor, fcntl.LOCK_EX)  # as by a run in progress
+                fcntl.flock(descriptor, fcntl.LOCK_EX)  # as a run in progress does
                 answer = run(f"diagnose --config {BUSH} --log {LOG} --output {folder}")
             finally:
                 os.close(descriptor)
@@ -142,7 +142,7 @@ class Folders(unittest.TestCase):
 
 
 class Warnings(unittest.TestCase):
-    """Warnings change neither the exit status nor the result."""
+    """Tests that warnings change neither the exit status nor the result."""
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -165,7 +165,7 @@ class Warnings(unittest.TestCase):
         self.assertNotIn("warning", usual.stderr)
 
     def test_of_millimetres_in_a_column_of_metres(self):
-        # Displacements of the example, a log in mm and kN, are read as metres.
+        # The example, a log in mm and kN, is read as if its displacements were in metres.
         text = pathlib.Path(LOG).read_text(encoding="utf-8")
         self.assertIn("displacement_mm", text)
         odd = self.write("odd.csv", text.replace("displacement_mm", "displacement_m", 1))

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Attacks that a node must withstand: masters that hang or lie, messages with excessive sizes, stopped processes,
-stalled subscribers, files with wrong content. Each test has a master and a node of its own, and speaks ROS's protocols
-to them without ROS.
+stalled subscribers, files with wrong content. Each test has its own master and node, and speaks the protocols of ROS to
+them without ROS.
 
     attacks_test.py PROGRAMS [NODE [TEST ...]]    # folder of the programs; another program in place of simulate, or ''
 """
@@ -55,13 +55,13 @@ class Attack(unittest.TestCase):
         return path
 
     def start(self, names=("left", "right"), config=None, before=(), environment=None, **parameters):
-        """Start the node; `before` is a command that runs it, for example with other limits."""
+        """Start the node. `before` is a command that runs it, for example with other limits."""
         arguments = [f"_config_file:={config or self.components(names)}"]
         arguments += [f"_{key}:={value}" for key, value in parameters.items()]
         return self.network.start([*before, SIMULATE, *arguments], "simulate", **(environment or {}))
 
     def lie(self, method, answer):
-        """Return the URI of a master that gives a wrong answer to one method and passes on all others."""
+        """Return the URI of a master that gives a wrong answer to one method, and forwards all others."""
         network = self.network
 
         class Liar(xmlrpc.server.SimpleXMLRPCServer):
@@ -75,8 +75,8 @@ class Attack(unittest.TestCase):
         return f"http://{tcpros.HOST}:{server.server_address[1]}"
 
     def forces_of(self, name, **connection):
-        """Subscribe to a component's forces. The node drops subscribers that connect before it counts undelivered
-        forces, so this waits for its subscription to displacements, which comes later."""
+        """Subscribe to a component's forces, once the node has subscribed to its displacements. Before that time, the
+        node drops subscribers without counting their undelivered forces."""
         tcpros.until(lambda: self.takes(name), f"the node to take displacements of {name}")
         return self.network.subscribe(NODE, f"/{name}/force", **connection)
 
@@ -85,7 +85,7 @@ class Attack(unittest.TestCase):
         return any(topic == f"/{name}/displacement" and NODE in nodes for topic, nodes in subscribed)
 
     def counts(self, report, name, key, wanted, reports=15):
-        """Return the value of the counter, once it is as wanted or after some reports, which come once per second."""
+        """Return the value of a counter when it is as wanted, or after some reports, which come once per second."""
         value = None
         for _ in range(reports):
             value = self.values(report, name).get(key)
@@ -95,7 +95,7 @@ class Attack(unittest.TestCase):
 
     @staticmethod
     def values(report, name):
-        """Return the values of the next report that has this component; the first report, at the start, has none."""
+        """Return the values of the next report with this component, which the report at the start does not contain."""
         while True:
             statuses = tcpros.diagnostics(tcpros.next_message(report))
             if name in statuses:
@@ -106,7 +106,7 @@ class Attack(unittest.TestCase):
         return [name for part in state for name, nodes in part if NODE in nodes]
 
     def exits(self, node, limit):
-        """Return the exit status and check the time limit [s]; with sanitizers a node takes longer to end."""
+        """Return the exit status and check the time limit [s], which is longer for a node with sanitizers."""
         begin = time.monotonic()
         status = node.process.wait(tcpros.PATIENCE)
         self.assertLess(time.monotonic() - begin, limit * (5 if SANITIZED else 1))
@@ -114,7 +114,7 @@ class Attack(unittest.TestCase):
 
 
 class Flood:
-    """Sends to components and reads their forces in threads, over a connection each."""
+    """Sends samples to components and reads their forces in threads, with two connections per component."""
 
     def __init__(self, network, names):
         self.links = [(network.publish(f"/{name}/displacement", "rubber_suspension/Displacement"),
@@ -134,7 +134,7 @@ class Flood:
             pass
 
     def send(self, data):
-        """Send the same bytes to all components, as fast as each reads them."""
+        """Send the same bytes to all components, as fast as the node reads them."""
         senders = [threading.Thread(target=writer.sendall, args=(data,)) for writer, _ in self.links]
         for sender in senders:
             sender.start()
@@ -145,10 +145,10 @@ class Flood:
 
 
 class Answers(Attack):
-    """Every accepted sample has a force; samples and forces that queues drop are counted."""
+    """Tests that every accepted sample has a force, and that samples and forces dropped by queues are counted."""
 
     def accounted(self, flood, names, sent):
-        """Check that all samples and forces arrive or are counted as lost; return the number of lost forces."""
+        """Check that all samples and forces arrive or are counted as lost, and return the number of lost forces."""
         report = self.network.subscribe(NODE, "/diagnostics")
         lost = 0
         for i, name in enumerate(names):
@@ -173,7 +173,7 @@ class Answers(Attack):
         node.process.send_signal(signal.SIGCONT)
         for sender in senders:
             sender.join()
-        flood.send(sample(14001))  # its sequence number reveals earlier losses
+        flood.send(sample(14001))  # its sequence number shows how many samples were lost before
         self.assertEqual(self.accounted(flood, names, 14002), 0)
 
     def test_a_burst_beyond_all_queues_is_counted(self):
@@ -194,7 +194,7 @@ class Answers(Attack):
         tcpros.until(lambda: flood.forces(0) == 1, "a force")
         for sender in flood.send(b"".join(sample(i) for i in range(1, 20001))):
             sender.join()
-        # The last sample may replace the previous one in the queue, but is not replaced itself.
+        # The last sample may replace the previous one in the queue, but nothing replaces the last sample.
         flood.send(sample(20001))
         self.assertEqual(self.accounted(flood, ["left"], 20002), 0)
 
@@ -203,20 +203,20 @@ class Answers(Attack):
         stalled = self.forces_of("left", receive_buffer=4096)
         flood = Flood(self.network, ["left"])
         size = 0
-        while size < 300000:  # far more than the queue of 40000 and the buffers of the sockets hold
+        while size < 300000:  # far more than fits into the queue of 40000 and the buffers of the sockets
             for sender in flood.send(b"".join(sample(i) for i in range(size, size + 2000))):
                 sender.join()
             size += 2000
             tcpros.until(lambda: flood.forces(0) == size, "the other subscriber's forces")
         report = self.network.subscribe(NODE, "/diagnostics")
-        # Unlike the first report after the last force, the second one cannot be older than that force.
+        # The first report after the last force may be older than this force. The second one cannot be.
         tcpros.until(lambda: int(self.values(report, "left")["forces not delivered"]) > 0, "losses that are counted")
         missed = int(self.values(report, "left")["forces not delivered"])
         received = 0
         stalled.settimeout(tcpros.PATIENCE)
         while received < (size - missed) * FORCE_SIZE:
             received += len(stalled.recv(1 << 18))
-        # One more force reaches both subscribers, and directly follows the last one read.
+        # One more force reaches both subscribers, directly after the last force that was read.
         flood.send(sample(size))
         data = tcpros.receive(stalled, FORCE_SIZE)
         self.assertEqual(received, (size - missed) * FORCE_SIZE)
@@ -237,7 +237,7 @@ class Answers(Attack):
             size += 2000
             for caller, link in links.items():
                 data[caller] += tcpros.receive(link, slow[caller] * FORCE_SIZE)
-        # One more sample marks the end of the forces to read.
+        # One more sample marks the end of the forces to be read.
         self.feed(flood, size, 1)
         lost = set()
         for caller, link in links.items():
@@ -251,11 +251,11 @@ class Answers(Attack):
         self.assertEqual(self.counts(report, "left", "forces not delivered", len(lost)), len(lost))
         for link in links.values():
             link.close()
-        self.feed(flood, size + 1, 2000)  # both have left
+        self.feed(flood, size + 1, 2000)  # both subscribers have left
         self.assertEqual(self.counts(report, "left", "forces not delivered", len(lost)), len(lost))
 
     def feed(self, flood, first, count, frame=FRAME):
-        """Send samples and wait for the forces of the subscriber that reads them."""
+        """Send samples, and wait until the reading subscriber has their forces."""
         force = FORCE_SIZE - len(FRAME) + len(frame)
         before = flood.received[0]
         for sender in flood.send(b"".join(sample(i, frame=frame) for i in range(first, first + count))):
@@ -265,22 +265,22 @@ class Answers(Attack):
     def loses(self):
         """Return true if a force was lost to a subscriber."""
         report = self.network.subscribe(NODE, "/diagnostics")
-        self.values(report, "left")  # this report may be older than the last force
+        self.values(report, "left")  # may be older than the last force
         missed = int(self.values(report, "left")["forces not delivered"])
         report.close()
         return missed > 0
 
     def growth(self, frame):
-        """Return the memory of the node that a first and a second stalled subscriber of a topic take [bytes]."""
+        """Return the memory [bytes] that a first and a second stalled subscriber of a topic add to the node."""
         node = self.start(["left"])
         flood = Flood(self.network, ["left"])
         size = 0
-        while size < 70000:  # until the memory for a subscriber that reads has settled
+        while size < 70000:  # until the memory has settled
             self.feed(flood, size, 2000, frame)
             size += 2000
         memory = [node.memory()]
         links = []
-        needed = 0  # forces until a queue is full; the sockets buffer some MiB before
+        needed = 0  # number of forces until a queue is full; the sockets buffer some MiB before that
         for caller in ("/first", "/second"):
             links.append(self.forces_of("left", receive_buffer=4096, caller=caller))
             begin = size
@@ -301,14 +301,14 @@ class Answers(Attack):
     def test_memory_of_subscribers_that_stall(self):
         if SANITIZED:
             self.skipTest("the address sanitizer takes memory of its own")
-        # docs/performance.md gives 7.5 and 2.8 MiB, and with the longest frame_id 17.4 and 2.5 MiB. A queued force
-        # takes the message, two blocks of the allocator, and an entry in each queue that holds it.
+        # docs/performance.md states 7.5 and 2.8 MiB, and 17.4 and 2.5 MiB with the longest frame_id. Memory for a
+        # queued force is its message, two blocks of the allocator, and an entry in each queue that contains it.
         for frame, first, further in ((FRAME, 10, 4), (b"x" * 255, 20, 4)):
             with self.subTest(len(frame)):
                 growth = self.growth(frame)
                 self.assertLess(growth[0], first * MEBIBYTE)
                 self.assertLess(growth[1], further * MEBIBYTE)
-                # The memory is at least that of the queued bytes.
+                # The memory must be at least as large as the queued bytes.
                 self.assertGreater(growth[0], 40000 * (FORCE_SIZE - len(FRAME) + len(frame)))
 
     def test_connections_that_come_and_go_lose_nothing(self):
@@ -323,10 +323,10 @@ class Answers(Attack):
                 tcpros.next_message(answers)
             writer.close()
             self.network.master.unregisterPublisher(tcpros.CALLER, "/left/displacement", self.network.slave_uri)
-            # Until the master reports its end, the node reconnects to the old publisher, and would reach the next one.
+            # Until the master reports its end, the node reconnects to the old publisher, and could reach the next one.
             tcpros.until(lambda: "/left/displacement" not in [link[4] for link in api.getBusInfo(tcpros.CALLER)[2]],
                          "the node to leave a publisher")
-        report = self.network.subscribe(NODE, "/diagnostics")  # only now, because earlier reports would queue up
+        report = self.network.subscribe(NODE, "/diagnostics")  # now, because earlier reports would queue up
         self.assertEqual(self.counts(report, "left", "accepted", 1200), 1200)
         self.assertEqual(self.counts(report, "left", "lost before arrival", 0), 0)
 
@@ -339,7 +339,7 @@ class Masters(Attack):
         host, _, port = self.network.master.lookupService(tcpros.CALLER, NODE + "/reset")[2][9:].partition(":")
         self.values(report, "left")
         self.network.master_process.process.send_signal(signal.SIGSTOP)
-        for _ in range(6):  # seconds; the node calls the master every two
+        for _ in range(6):  # six seconds; the node calls the master every two seconds
             report_of = tcpros.diagnostics(tcpros.next_message(report))
         self.assertEqual(report_of["thread serving 1"][0], 0)
         with tcpros.socket.create_connection((host, int(port)), tcpros.PATIENCE) as sock:
@@ -360,7 +360,7 @@ class Masters(Attack):
         self.assertIn("master", node.output())
 
     def test_a_signal_cancels_a_reload(self):
-        """Reading the file takes far longer than the tenth of a second after which the signal is sent."""
+        """Reading the file takes far longer than 0.1 s, after which the signal is sent."""
         node = self.start()
         self.network.node_api(NODE)
         path = os.path.join(self.folder, "components.yaml")
@@ -371,7 +371,7 @@ class Masters(Attack):
                 f"  c{i}: {{model: elements, elements: [{', '.join([entry] * 400)}]}}\n" for i in range(15)))
         before = processor_seconds(node)
         threading.Thread(target=self.call_until_gone, args=(NODE + "/reload",), daemon=True).start()
-        tcpros.until(lambda: processor_seconds(node) > before + 0.1, "the reload to be under way")  # a tenth
+        tcpros.until(lambda: processor_seconds(node) > before + 0.1, "the reload to be under way")  # 0.1 s of CPU time
         node.process.send_signal(signal.SIGTERM)
         self.assertEqual(self.exits(node, 5.0), 0)
         self.assertEqual(self.registrations(), [])
@@ -390,7 +390,7 @@ class Masters(Attack):
         writer = self.network.publish("/left/displacement", "rubber_suspension/Displacement")
         measured = self.network.publish("/left/measured_force", "rubber_suspension/MeasuredForce")
         forces = self.network.subscribe(NODE, "/left/force")
-        for first in range(0, 100000, 2000):  # 100 s at 1 kHz, enough for a search over all candidates
+        for first in range(0, 100000, 2000):  # 100 s at 1 kHz, enough for a search of all candidates
             for i in range(first, first + 2000):
                 z = 1e-3 * math.sin(0.02 * i) + 4e-4 * math.sin(0.31 * i)
                 measured.sendall(sample(i, 3.3e6 * z + 900.0 * math.sin(0.02 * i + 0.7) ** 3))
@@ -404,7 +404,7 @@ class Masters(Attack):
 
     @staticmethod
     def runs(node, name):
-        """Return true if a thread can run, 50 ms from now; one of low priority may get next to no time for it."""
+        """Return True if a thread is ready to run, 50 ms from now. With low priority it may get hardly any CPU time."""
         time.sleep(0.05)
         folder = f"/proc/{node.process.pid}/task"
         for task in os.listdir(folder):
@@ -451,7 +451,7 @@ class Masters(Attack):
     def test_services_of_twenty_components(self):
         names = [f"c{i}" for i in range(20)]
         self.start(names)
-        self.network.call(NODE + "/reload")  # answered only once all services exist
+        self.network.call(NODE + "/reload")  # the answer shows that all services exist
         services = [name for name, nodes in self.network.master.getSystemState(tcpros.CALLER)[2][2] if NODE in nodes]
         self.assertLessEqual(len(services), 10, services)
         request = tcpros.text("c7")
@@ -504,7 +504,7 @@ class Messages(Attack):
         for _ in range(100):
             writer.sendall(large)
         self.settled(report, 100)
-        # At most two messages are in memory: one that is read, and one that waits to be processed.
+        # At most two messages are in memory: one that is being read, and one that waits for processing.
         tcpros.until(lambda: node.memory() - before < 4 * MEBIBYTE, "memory given back", 10.0)
 
     def test_locked_memory_is_what_was_touched(self):
@@ -531,7 +531,7 @@ class Messages(Attack):
         for i in range(5000):
             writer.sendall(tcpros.text(b"\0" * (i % 20)) if i % 20 else tcpros.text(sample(i)[4:-1]))
         self.assertEqual(self.counts(report, "left", "dropped, undecodable", 5000), 5000)
-        # The node publishes a report before it logs its faults.
+        # The node publishes a report before it logs the faults in it.
         tcpros.until(lambda: "cannot be decoded" in node.output(), "the fault in the log")
         lines = [line for line in node.output().splitlines() if "WARN" in line or "ERROR" in line]
         self.assertIn("cannot be decoded", lines[0])
@@ -577,7 +577,7 @@ class Files(Attack):
         self.refused(self.folder, "a folder")
 
     def test_a_diagnosis_that_is_not_installed(self):
-        """The library of the node is copied to a place from which it does not find that of the diagnosis."""
+        """The node's library is copied to a place from which it does not find the library of the diagnosis."""
         if SANITIZED:
             self.skipTest("its program has no library of the node")
         installed = os.path.dirname(PROGRAMS)
@@ -646,12 +646,12 @@ class Files(Attack):
 
 
 class Players(Attack):
-    """Commands that play a log through another node than the package's own, which answers displacements with forces."""
+    """Tests of commands that play a log. The node that answers displacements with forces is a part of the test."""
 
     SAMPLES = 50
 
     def play(self, program, force_of, with_force, *options):
-        """Return exit status and output of a command whose displacements this test answers."""
+        """Run a command whose displacements the test answers, and return its exit status and output."""
         log = os.path.join(self.folder, "log.csv")
         with open(log, "w") as file:
             file.write("time_s,displacement_m" + (",force_N" if with_force else "") + "\n")
@@ -671,7 +671,7 @@ class Players(Attack):
                 z = struct.unpack("<d", data[-8:])[0]
                 forces.sendall(tcpros.text(data + struct.pack("<4d", force_of(i, z), 0.0, 0.0, 0.0)))
         except (OSError, tcpros.WireError):
-            pass  # the command ends once it has seen the fault
+            pass  # the command ends when it has detected the fault
         return player.process.wait(tcpros.PATIENCE), player.output()
 
     def test_another_node_need_not_listen_to_measured_forces(self):
@@ -695,7 +695,7 @@ class Players(Attack):
 
 
 class Limits(Attack):
-    """Limits of the process: open files and memory."""
+    """Tests of limits of a process: open files and memory."""
 
     def limited(self, soft, hard, names):
         return self.start(names, before=["bash", "-c", f"ulimit -Sn {soft} && ulimit -Hn {hard} && exec \"$@\"", "bash"])
@@ -728,7 +728,7 @@ class Limits(Attack):
 class Loggers(Attack):
     def test_get_loggers_is_answered_and_the_node_goes_on(self):
         node = self.start()
-        self.network.call(NODE + "/reset")  # answered only once the node has started
+        self.network.call(NODE + "/reset")  # the answer shows that the node has started
         for _ in range(3):
             done, data = self.network.call(NODE + "/get_loggers")
             self.assertTrue(done)
@@ -750,7 +750,7 @@ class Threads(Attack):
         self.start(threads=2)
         reports = self.network.subscribe(NODE, "/diagnostics")
         names = []
-        while len(names) < 2:  # each of the first reports has a single row
+        while len(names) < 2:  # the first reports contain a single row each
             report = tcpros.diagnostics(tcpros.next_message(reports))
             names = [name for name in report if re.match(r"thread serving \d", name)]
         self.assertEqual(names, ["thread serving 1", "thread serving 2"])
@@ -765,4 +765,4 @@ if __name__ == "__main__":
     if len(sys.argv) > 2 and sys.argv[2]:
         SIMULATE, SANITIZED = os.path.abspath(sys.argv[2]), True
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2,
-                  warnings="ignore")  # connections that are open when a test ends are closed with its processes
+                  warnings="ignore")  # when a test ends, its processes are ended with open connections

@@ -49,7 +49,7 @@ SAMPLE = numpy.dtype([("size", "<u4"), ("seq", "<u4"), ("sec", "<u4"), ("nsec", 
 
 
 class Failure(Exception):
-    """A failure of the node; the first word is its kind."""
+    """A failure of the node. The first word of its message is the kind."""
 
 
 def require(condition, message):
@@ -62,7 +62,7 @@ def header(sequence, stamp, frame=FRAME):
 
 
 class Stream:
-    """The samples of one component, with faults, and the counters and forces that are expected for them."""
+    """The samples of a component, some with faults, and the expected counters and forces."""
 
     def __init__(self, name, seed):
         self.name = name
@@ -71,7 +71,7 @@ class Stream:
         self.sequence = 0
         self.phase = self.random.uniform(0.0, 6.0)
         self.counts = collections.Counter()
-        self.segments = [[]]  # accepted (stamps, displacements), with a new segment for each restart
+        self.segments = [[]]  # accepted (stamps, displacements); each restart begins a segment
         self.expected = 0
 
     def wave(self, stamps):
@@ -79,7 +79,7 @@ class Stream:
         return 2e-3 * numpy.sin(13.0 * t + self.phase) + 4e-4 * numpy.sin(101.0 * t)
 
     def run(self, count, step=MILLISECOND):
-        """Return accepted samples at even steps."""
+        """Return samples at even steps, which must all be accepted."""
         stamps = self.stamp + step * numpy.arange(1, count + 1)
         displacements = self.wave(stamps)
         rows = numpy.zeros(count, SAMPLE)
@@ -102,7 +102,7 @@ class Stream:
         return tcpros.text(header(self.sequence, stamp) + struct.pack("<d", displacement))
 
     def fault(self, kind):
-        """Return a sample with a fault; update the expected counters."""
+        """Return a sample with a fault, and update the expected counters."""
         if kind in ("nan", "inf", "-inf"):
             self.counts["dropped, not finite"] += 1
             return self.one(self.stamp + MILLISECOND, float(kind))
@@ -153,14 +153,14 @@ class Stream:
         return tcpros.text(broken[kind])
 
 
-RARE = ["restart"]  # each one adds a log for replay
+RARE = ["restart"]  # each restart needs another log for replay
 FAULTS = ["nan", "inf", "-inf", "repeat", "back by a nanosecond", "back by a second", "time gap",
           "longest time gap that is none", "lost", "sender counts anew", "a nanosecond", "subnormal", "minus zero",
           "short by a byte", "long by a byte", "four bytes", "frame beyond the end", "frame without end"]
 
 
 class Link:
-    """The two connections of a component. Sends at most a window ahead of the answers, so that no queue overflows."""
+    """The two connections of a component. Sends at most `window` samples ahead, so that no queue overflows."""
 
     def __init__(self, network, stream, window, samples):
         self.stream = stream
@@ -177,7 +177,7 @@ class Link:
         self.restarts = 3
 
     def produce(self):
-        """Prepare the next samples, if the window allows it."""
+        """Prepare the next samples if the window permits."""
         stream = self.stream
         if self.pending or self.left <= 0 or stream.expected - self.answered >= self.window:
             return
@@ -217,7 +217,7 @@ class Link:
 
 
 class Bundles:
-    """One message per step for all bundled components, with malformed ones in between."""
+    """Sends one message per step for all bundled components, with malformed messages in between."""
 
     MALFORMED = ["unknown name", "lists differ", "numbers beyond the end", "names beyond the end", "long by a byte"]
 
@@ -321,7 +321,7 @@ class Bundles:
 
 
 def reference(programs, folder, config, stream):
-    """Return the forces that `replay` computes from the accepted samples, segment by segment."""
+    """Return the forces from `replay` of the accepted samples, segment by segment."""
     forces = []
     for segment in stream.segments:
         if not segment:
@@ -371,14 +371,14 @@ def check_link(link, programs, folder, config):
 
 
 class Reports:
-    """The node's /diagnostics; to be read during the run, too, because unread reports fill the socket."""
+    """The /diagnostics of the node. They are read during the run as well, because unread reports fill the socket."""
 
     def __init__(self, sock):
         self.input = sock
         self.data = b""
 
     def take(self):
-        """Read what has arrived; return the last complete report."""
+        """Read all data that have arrived, and return the last complete report."""
         latest = None
         piece = self.input.recv(1 << 18)
         if not piece:
@@ -397,7 +397,7 @@ class Reports:
 
 
 def wait_for_counts(diagnostics, expected):
-    """Wait until all counters equal the expected ones; diagnostics are published once per second."""
+    """Wait until all counters equal the expected ones, because diagnostics are published once per second."""
     reports = 0
     while True:
         wrong = []
@@ -438,13 +438,13 @@ class Drive:
              f"_state_file:={self.state}", f"_threads:={options.threads}"], "simulate", MUTANT=options.mutant)
 
     def serve(self):
-        """Call services during the run: a saved state is of one instant, and enabling again has no effect."""
+        """Call services meanwhile: a saved state must be of one instant, enabling again must have no effect."""
         done, message = tcpros.trigger(self.network.call(NODE + "/save_state"))
         require(done, f"state: save_state was refused: {message}")
         with open(self.state) as file:
             states = {state["component"]: state for state in json.load(file)["states"]}
         stamps = {states[name]["stamp_ns"] for name in self.bundled}
-        # A component whose last sample was not finite keeps its previous stamp.
+        # The stamp of a component does not change if its last sample was not finite.
         require(len(stamps) <= 2, f"state: one save holds bundles of {len(stamps)} instants")
         done, _ = tcpros.trigger(self.network.call(NODE + "/set_enabled", b"\1"))
         require(done, "state: set_enabled was refused")
@@ -452,7 +452,7 @@ class Drive:
         require(done, "state: get_loggers was refused")
 
     def stream(self, links, report):
-        """Send until all is answered; return pairs of answered samples and memory after each eighth of them."""
+        """Send until all is answered; return pairs of answered samples and memory after each eighth of the samples."""
         total = sum(link.left for link in links if isinstance(link, Link))
         memory = []
         rounds = 0
@@ -506,9 +506,9 @@ class Drive:
                     reference(options.programs, self.folder, self.config, stream))
         count = sum(link.answered for link in links)
         if not options.no_memory:
-            # Queues that grow to a new size take megabytes at once, on a busy machine in several parts of the run,
-            # whereas memory that is kept for each sample grows in every part. If 16 bytes were kept of each sample, all
-            # parts but one, in which a queue may have been freed, would grow by at least half of that.
+            # A queue that grows takes megabytes at once, in several parts of the run if other programs slow it down.
+            # Memory per sample grows in every part. A leak of 16 bytes per sample would make all parts grow by at least
+            # half of it, except for one part in which a queue may have been freed.
             parts = sorted((later - earlier) / (last - first) for (first, earlier), (last, later)
                            in zip(memory[1:], memory[2:]))
             growth = parts[1]

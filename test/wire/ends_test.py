@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Ends a node many times: main has to return with status 0 within 5 s, with no registrations left at the master. Each
-time, a master and a node of their own have 100, 150 or 256 components and a live diagnosis, and two other processes
-load the machine. SIGINT or SIGTERM comes alternately at a random moment of the start, where the signal itself may end
-the process before main, and while samples are sent; in half of these the master was killed before.
+"""Ends a node many times. It must exit with 0 within 5 s, without registrations left at the master. Each time, a new
+master and node have 100, 150 or 256 components and a live diagnosis, and two other processes load the computer. SIGINT
+or SIGTERM is sent at a random moment of the start, where it may end the process before main, and while samples are
+sent. In half of the latter cases the master was killed before.
 
     ends_test.py PROGRAMS [ENDS]
 """
@@ -21,9 +21,9 @@ import time
 import tcpros
 
 NODE = "/simulate"
-LIMIT = 5.0  # [s] from the signal to the end
-PATIENCE = 15.0  # [s] for the master to process the last calls of the node
-STREAMS = 4  # components that receive samples
+LIMIT = 5.0  # limit from the signal to the end [s]
+PATIENCE = 15.0  # time for the master to process the last calls of the node [s]
+STREAMS = 4  # number of components that receive samples
 
 
 class Ends:
@@ -44,7 +44,7 @@ class Ends:
         return path
 
     def stream(self, writer, reader, over):
-        """Send samples as fast as the node answers them, until it has ended."""
+        """Send samples as fast as the node answers them, until the node has ended."""
         number = 0
         try:
             while not over.is_set():
@@ -56,14 +56,14 @@ class Ends:
 
     @staticmethod
     def left(network):
-        """Topics, services and parameters of the node that the master still knows."""
+        """Return the topics, services and parameters of the node that the master still knows."""
         state = network.master.getSystemState(tcpros.CALLER)[2]
         parameters = network.master.getParamNames(tcpros.CALLER)[2]
         return ([name for part in state for name, nodes in part if NODE in nodes] +
                 [name for name in parameters if name.startswith(NODE + "/")])
 
     def serve(self, network, over, threads):
-        """Send samples once the node has registered its last service."""
+        """Send samples after the node has registered its last service."""
         last = f"/{self.names[-1]}/rollback"
         tcpros.until(lambda: network.master.lookupService(tcpros.CALLER, last)[0] == 1, "the node")
         for name in self.names[:STREAMS]:
@@ -74,7 +74,7 @@ class Ends:
         time.sleep(0.3)
 
     def end(self, number, moment):
-        """End a node once; return a description of the failure, or an empty text."""
+        """End a node once, and return a description of the failure or an empty text."""
         folder = tempfile.mkdtemp(prefix="ends.")
         network = tcpros.Network(folder)
         over = threading.Event()
@@ -92,7 +92,7 @@ class Ends:
             took = time.monotonic() - begin
             self.longest = max(self.longest, took)
             left = [] if moment == "without a master" else self.left(network)
-            while left and time.monotonic() < begin + took + PATIENCE:  # a busy master still processes its calls
+            while left and time.monotonic() < begin + took + PATIENCE:  # the master may still process calls
                 time.sleep(0.1)
                 left = self.left(network)
             if status not in ((0, -number) if moment == "start" else (0,)) or took > LIMIT or left:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Runs a node of ten components with a live diagnosis for a long time: samples come at a fixed rate, a publisher
-restarts every minute, and the master is killed twice. Each sample is accepted or counted as lost, each force arrives or
-is counted, and the memory does not grow.
+"""Runs a node of ten components with a live diagnosis for a long time. Samples come at a fixed rate, a publisher
+restarts every minute, and the master is killed twice. Each sample must be accepted or counted as lost, each force must
+arrive or be counted, and the memory must not grow.
 
     long_run_test.py PROGRAMS [SECONDS [RATE]]    # default: 40 s and 100 samples/s of each component
 """
@@ -20,9 +20,9 @@ import drive
 import tcpros
 
 NODE = drive.NODE
-TICK = 0.02  # [s] between two batches of samples
-GROWTH = 1.05  # largest ratio of the memory at the end to that in the middle of the run
-LONG = 1200.0  # [s], duration above which the memory of the diagnosis has settled in the first half of the run
+TICK = 0.02  # time between two batches of samples [s]
+GROWTH = 1.05  # largest ratio of the memory at the end to the memory in the middle of the run
+LONG = 1200.0  # duration above which the memory of the diagnosis settles in the first half of the run [s]
 
 
 def displacement(t):
@@ -30,26 +30,26 @@ def displacement(t):
 
 
 class Stream:
-    """The samples of a component and their forces, which are identified by their stamps."""
+    """The samples of a component, and their forces, which are identified by stamps."""
 
     def __init__(self, network, name, rate):
         self.name = name
         self.topic = f"/{name}/displacement"
-        self.step = round(drive.SECOND / rate)  # [ns] between stamps
+        self.step = round(drive.SECOND / rate)  # time between two stamps [ns]
         self.output = network.publish(self.topic, "rubber_suspension/Displacement")
         self.input = network.subscribe(NODE, f"/{name}/force")
         self.sent = self.forces = 0
-        self.first = 0  # first sample of the current publisher, whose sequence numbers start from 0
+        self.first = 0  # first sample of the current publisher, which has sequence number 0
         self.data = b""
-        self.waiting = collections.deque()  # sent batches: the number after their last sample, and the time
+        self.waiting = collections.deque()  # batches that were sent: number of samples up to the batch, and time
 
     def samples(self, count, stiffness=1.0):
-        """Return the next samples, or measured forces for them, which have the same format."""
+        """Return the next samples, or measured forces for the next samples, which have the same format."""
         return b"".join(tcpros.sample(i, stiffness * displacement(i * self.step / drive.SECOND), step=self.step,
                                       sequence=i - self.first) for i in range(self.sent, self.sent + count))
 
     def take(self):
-        """Read forces; return the longest time that any of them took [s]."""
+        """Read forces, and return the longest time between a sample and its force [s]."""
         self.data += self.input.recv(1 << 18)
         now = time.monotonic()
         count, longest = len(self.data) // tcpros.FORCE_SIZE, 0.0
@@ -82,7 +82,7 @@ class LongRun:
         self.longest = 0.0
         self.restarts = 0
         self.failure = None
-        self.memory = [math.inf] * 8  # [bytes], the least in each eighth, because a diagnosis takes some for a while
+        self.memory = [math.inf] * 8  # least memory in each eighth of the run [bytes]; a diagnosis needs more
 
     def send(self, count):
         for stream in self.streams:
@@ -96,7 +96,7 @@ class LongRun:
             stream.waiting.append((stream.sent, time.monotonic()))
 
     def take(self, until):
-        """Read until the given time, but at least what has arrived, so that a late driver reads, too."""
+        """Read until the given time. Always read what has arrived, so that a late driver reads as well."""
         inputs = [stream.input for stream in self.streams] + [self.report.input]
         left = 0.0
         while left >= 0.0:
@@ -108,7 +108,7 @@ class LongRun:
             left = until - time.monotonic()
 
     def restart_publisher(self, stream):
-        """Replace the publisher once all its samples are answered."""
+        """Replace the publisher when all its samples are answered."""
         writer, stream.output = stream.output, None
         time.sleep(1.0)  # a batch may be in transit
         tcpros.until(lambda: not self.uncounted(stream), f"what {stream.name} sent to be counted")
@@ -128,10 +128,10 @@ class LongRun:
         for stream in self.streams:
             self.network.master.registerPublisher(tcpros.CALLER, stream.topic, "rubber_suspension/Displacement",
                                                   self.network.slave_uri)
-        self.network.node_api(NODE)  # the node has registered again
+        self.network.node_api(NODE)  # waits until the node has registered again
 
     def disturb(self, begin):
-        """Restart a publisher every minute, or seven in a shorter run, and the master in the middle of each half."""
+        """Restart a publisher every minute (seven times in a short run), and the master in the middle of each half."""
         pause = min(60.0, self.duration / 8)
         moments = [(pause * i, False) for i in range(1, int(self.duration / pause))]
         moments += [(self.duration * share, True) for share in (0.27, 0.77)]
@@ -143,7 +143,7 @@ class LongRun:
             self.failure = f"wire: {error}"
 
     def uncounted(self, stream):
-        """Return the counters of a component unless all its samples and forces have arrived or are counted."""
+        """Return the counters of a component if all its samples and forces have arrived or are counted."""
         values = tcpros.diagnostics(self.latest)[stream.name][2]
         accepted, lost, missed = (int(values[key]) for key in ("accepted", "lost before arrival", "forces not delivered"))
         self.lost[stream.name] = lost + missed

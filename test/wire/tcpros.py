@@ -1,4 +1,4 @@
-"""TCPROS and the slave API without code of ROS: a publisher, a subscriber, a caller of services.
+"""TCPROS and the slave API without code of ROS: a publisher, a subscriber, and a caller of services.
 
 See http://wiki.ros.org/ROS/TCPROS and http://wiki.ros.org/ROS/Slave_API. All traffic stays on the loopback interface.
 """
@@ -16,13 +16,13 @@ import xmlrpc.server
 
 HOST = "127.0.0.1"
 CALLER = "/wire_driver"
-PATIENCE = 60.0  # [s], only bounds how long a failure takes
+PATIENCE = 60.0  # [s], ends a wait that fails
 FRAME = b"x"
-FORCE_SIZE = 4 + 16 + len(FRAME) + 40  # size of a Force with its length
+FORCE_SIZE = 4 + 16 + len(FRAME) + 40  # bytes of a Force on the wire, including its length
 
 
 class WireError(RuntimeError):
-    """An error of the other side of the connection."""
+    """Raised if the other side of a connection does not follow the protocol."""
 
 
 def free_port():
@@ -32,7 +32,7 @@ def free_port():
 
 
 def until(condition, what, patience=PATIENCE):
-    """Poll the condition until its value is true; return the value."""
+    """Repeat the condition until its value is true, and return the value."""
     end = time.monotonic() + patience
     while True:
         result = condition()
@@ -44,7 +44,7 @@ def until(condition, what, patience=PATIENCE):
 
 
 def is_closed(connection):
-    """Return true if the other side has closed the connection; all that it sent must have been read."""
+    """Return True if the other side has closed the connection. All data from it must have been read."""
     readable, _, _ = select.select([connection], [], [], 0.0)
     return bool(readable) and connection.recv(1, socket.MSG_PEEK) == b""
 
@@ -55,7 +55,7 @@ def text(value):
 
 
 def sample(number, displacement=1e-3, frame=FRAME, step=1000000, sequence=None):
-    """Return a Displacement with its length; stamps start at 1000 s and are a step [ns] apart."""
+    """Return a Displacement on the wire, including its length. Stamps start at 1000 s and are a step [ns] apart."""
     seconds, nanoseconds = divmod(number * step, 10**9)
     return text(struct.pack("<III", number if sequence is None else sequence, 1000 + seconds, nanoseconds) +
                 text(frame) + struct.pack("<d", displacement))
@@ -108,7 +108,7 @@ class Program:
                                             stderr=subprocess.STDOUT, start_new_session=True)
 
     def end(self, number=signal.SIGINT):
-        """Send the signal; return the exit status."""
+        """Send the signal, and return the exit status."""
         if self.process.poll() is None:
             self.process.send_signal(number)
         try:
@@ -135,7 +135,7 @@ class Program:
 
 
 class Network:
-    """A master, a slave API for the test itself, and the nodes started with them."""
+    """A master, a slave API of the test itself, and the nodes that are started with them."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -156,7 +156,7 @@ class Network:
         self.slave.register_function(lambda *_: [1, "", os.getpid()], "getPid")
         self.slave_uri = f"http://{HOST}:{self.slave.server_address[1]}"
         threading.Thread(target=self.slave.serve_forever, daemon=True).start()
-        self.waiting = {}  # connections to the test's publishers by topic, accepted while waiting for another topic
+        self.waiting = {}  # accepted connections to the test's publishers, by topic, until they are asked for
 
     def master_answers(self):
         try:
@@ -173,14 +173,14 @@ class Network:
         return program
 
     def node_api(self, node):
-        """Return the slave API of a node, once the node is registered at the master."""
+        """Return the slave API of a node, after waiting until the node is registered at the master."""
         def lookup():
             code, _, uri = self.master.lookupNode(CALLER, node)
             return uri if code == 1 else None
         return proxy(until(lookup, f"node {node}"))
 
     def publish(self, topic, message_type):
-        """Register as publisher; return the socket of the first subscriber."""
+        """Register as a publisher, and return the socket of the first subscriber."""
         self.master.registerPublisher(CALLER, topic, message_type, self.slave_uri)
         while topic not in self.waiting:
             try:
@@ -193,7 +193,7 @@ class Network:
                 gone = is_closed(connection)
             except WireError:
                 gone = True
-            if gone:  # a connection to the previous publisher, which has ended; the node connects again
+            if gone:  # this connection is to an earlier publisher, so the node connects again
                 connection.close()
                 continue
             send_header(connection, {"callerid": CALLER, "type": fields["type"], "md5sum": fields["md5sum"],
@@ -203,13 +203,13 @@ class Network:
         return self.waiting.pop(topic)
 
     def subscribe(self, node, topic, receive_buffer=0, caller=CALLER):
-        """Return a socket that receives the messages of a node's topic; none published from now on is missed."""
+        """Return a socket that receives all messages which the node publishes on a topic from now on."""
         api = self.node_api(node)
         return until(lambda: self.connect(api, topic, receive_buffer, caller), f"{node} to publish {topic}")
 
     @staticmethod
     def connect(api, topic, receive_buffer, caller):
-        """Connect to the topic; return None while the node does not publish it."""
+        """Connect to the topic, or return None while the node does not publish it."""
         code, _, protocol = api.requestTopic(CALLER, topic, [["TCPROS"]])
         if code != 1:
             return None
@@ -228,7 +228,7 @@ class Network:
         return None
 
     def call(self, service, request=b""):
-        """Call a service; return its success and the bytes of the answer."""
+        """Call a service, and return its success and the bytes of its answer."""
         def lookup():
             code, _, uri = self.master.lookupService(CALLER, service)
             return uri if code == 1 else None
@@ -255,7 +255,7 @@ def trigger(answer):
 
 
 class Reader:
-    """Reads the fields of a message one by one."""
+    """Reads the fields of a message one after the other."""
 
     def __init__(self, data):
         self.data = data

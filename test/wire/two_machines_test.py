@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Runs the recipes of docs/network_and_real_time.md for a bench of two machines, unchanged, with a network namespace
-for each machine: the player on the second machine receives its forces, and a third machine reaches no port. Needs root
-or user namespaces, ip (iproute2) and, for the firewall, nft; without them a test is skipped.
+"""Runs the commands of docs/network_and_real_time.md for a bench of two computers, unchanged, with a network namespace
+for each: the player on the second computer receives its forces, and a third computer reaches no port. Requires root or
+user namespaces, ip (iproute2) and, for the firewall, nft. Without them a test is skipped.
 
     two_machines_test.py PACKAGE    # its folder; rosrun and roslaunch have to find it
 """
@@ -22,7 +22,7 @@ import tcpros
 PACKAGE = pathlib.Path()
 SAMPLES = 200
 AT_FIRST = {"ROS_IP": "10.0.0.1", "ROS_MASTER_URI": "http://10.0.0.1:11311"}
-PATIENCE = 180.0  # [s], only bounds how long a failure takes
+PATIENCE = 180.0  # [s], ends a wait that fails
 PROBE = """
 import socket, sys, concurrent.futures
 def is_open(address):
@@ -38,7 +38,7 @@ with concurrent.futures.ThreadPoolExecutor(len(addresses)) as pool:
 
 
 def recipes():
-    """Return the four blocks of commands: firewall, namespace, first and second machine."""
+    """Return the four blocks of commands: firewall, namespace, first and second computer."""
     page = (PACKAGE / "docs" / "network_and_real_time.md").read_text()
     section = page[page.index("### A bench of two machines"):page.index("## Real time")]
     return re.findall(r"```sh\n(.*?)```", section, re.DOTALL)
@@ -76,7 +76,7 @@ class TwoMachines(unittest.TestCase):
 
     @staticmethod
     def connect(switch, *machines):
-        """Connect interfaces by an Ethernet switch; each has the address of a machine."""
+        """Connect interfaces by an Ethernet switch. Each interface has the address of a computer."""
         run(["ip", "-n", switch, "link", "add", "bridge", "type", "bridge"])
         run(["ip", "-n", switch, "link", "set", "bridge", "up"])
         for name, interface, address in machines:
@@ -90,13 +90,13 @@ class TwoMachines(unittest.TestCase):
         return dict(kept, ROS_HOME=str(self.folder), ROS_LOG_DIR=str(self.folder), **more)
 
     def launch(self, namespace, commands):
-        """Start master and node; return the ports on which the node listens. The master is started first, because
-        roslaunch waits at most 10 s for a master of its own, which may be too short on a busy machine."""
+        """Start master and node, and return the ports on which the node listens. The master is started first, because
+        roslaunch waits only 10 s for a master that it starts itself."""
         self.start(namespace, "exec rosmaster --core -p 11311", r'(11311)\s.*"rosmaster"')
-        return self.start(namespace, commands, r'(\d+)\s.*"simulate"', 2)  # one for messages, one for its slave API
+        return self.start(namespace, commands, r'(\d+)\s.*"simulate"', 2)  # ports for messages and slave API
 
     def start(self, namespace, commands, pattern, least=1):
-        """Start programs; return all ports on which they listen, once at least that many match the pattern."""
+        """Start programs. When at least `least` ports match the pattern, return all ports on which they listen."""
         log = (self.folder / "programs.log").open("a+")
         process = subprocess.Popen(within(namespace, ["bash", "-ec", commands]), stdout=log, stderr=subprocess.STDOUT,
                                    cwd=PACKAGE, env=self.environment(**AT_FIRST), start_new_session=True)
@@ -124,14 +124,14 @@ class TwoMachines(unittest.TestCase):
             process.wait()
 
     def play(self, commands):
-        """Play a log on the second machine: each sample has its force."""
+        """Play a log on the second computer, and check that each sample has its force."""
         run(["bash", "-ec", commands], "second", cwd=self.folder, env=self.environment())
         rows = (self.folder / "forces.csv").read_text().splitlines()
         self.assertEqual(len(rows), 1 + SAMPLES)
 
     @staticmethod
     def reached(ports, hosts):
-        """Return the addresses to which the third machine can connect."""
+        """Return the addresses to which the third computer can connect."""
         return run([sys.executable, "-c", PROBE, ",".join(hosts), *ports], "third").split()
 
     def test_by_a_firewall(self):
@@ -157,16 +157,16 @@ class TwoMachines(unittest.TestCase):
         self.assertEqual(self.reached(ports, ["10.0.0.1", "10.1.0.1"]), [])
 
     def test_a_launch_file_keeps_its_node_to_itself(self):
-        """The launch file is started without an address; the master follows the environment."""
+        """The launch file is started without an address, and the master has its address from the environment."""
         self.connect("cable", ("first", "eth1", "10.0.0.1"), ("third", "eth1", "10.0.0.3"))
         self.launch("first", "roslaunch rubber_suspension simulate.launch config:=$PWD/config/example.yaml")
         ports = re.findall(r':(\d+)\s.*"simulate"', run(["ss", "-Htlnp"], "first"))
-        # The node restricts its slave API to the loopback interface during its start, which may still last.
+        # The node restricts its slave API to the loopback interface during its start, which may not be complete.
         tcpros.until(lambda: not self.reached(ports, ["10.0.0.1"]), "the node to be out of reach", PATIENCE)
 
 
 def enter(arguments):
-    """Restart in namespaces of this process's own, so that those of the machine are not changed."""
+    """Restart in new namespaces, so that the namespaces of the computer are not changed."""
     own = ["unshare", *([] if os.getuid() == 0 else ["--user", "--map-root-user"]), "--mount", "--net"]
     ready = "mount -t tmpfs tmpfs /run && mkdir /run/netns"
     if not shutil.which("ip"):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Drives the Linux and the Windows binary of an FMU, the latter under wine, with one program: their forces are equal.
+"""Runs the Linux and the Windows binary of an FMU with one program, the latter under wine. Their forces must be equal.
 
-Usage: windows_test.py FOLDER_OF_THE_COMMANDS; skipped without wine, mingw-w64 or the binary for Windows.
+Usage: windows_test.py FOLDER_OF_THE_COMMANDS. Skipped without wine, mingw-w64 or the binary for Windows.
 """
 import math
 import os
@@ -35,7 +35,7 @@ class Windows(unittest.TestCase):
             build("g++", folder / "driver", "-ldl")
             build(MINGW, folder / "driver.exe", "-static")
             environment = {**os.environ, "WINEPREFIX": str(folder / "wine"), "WINEDEBUG": "-all", "DISPLAY": ""}
-            # exp() and pow() of the two C libraries differ in the last digit, and so do estimated elements.
+            # The two C libraries differ in the last digit of exp() and pow(), so estimated elements differ as well.
             for component in ("left_secondary", "berg_example"):
                 for version in (2, 3):
                     with self.subTest(component=component, version=version):
