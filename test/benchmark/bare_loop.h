@@ -42,7 +42,7 @@ struct BareFriction {
 };
 
 /// Computes the force [N] at every sample, from rest at the first sample. A single `step` [s] applies to all samples.
-/// Of several, step[i] ends at sample i.
+/// If there are several, step[i] ends at sample i.
 void bareLoop(const ExampleParameters& parameters, const std::vector<double>& step,
               const std::vector<double>& displacement, std::vector<double>& force);
 

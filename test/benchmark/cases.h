@@ -10,8 +10,8 @@
 namespace rubber_suspension::benchmark {
 
 struct BenchmarkSize {
-  std::size_t samples = 100000;  ///< of the simulated logs, at 1 kHz
-  int components = 1000;         ///< at each tick
+  std::size_t samples = 100000;  ///< samples of the simulated logs, at 1 kHz
+  int components = 1000;         ///< components that step at each tick
 };
 
 // Each returns the cases of a part of the table. The file of the function describes what the part measures.

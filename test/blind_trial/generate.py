@@ -38,7 +38,7 @@ def one(arguments, job):
 
 
 def on_bench(built, faults, size, rng):
-    """Apply the faults of the bench. Further logs get its noise only, because their gaps exclude all other faults."""
+    """Apply the faults of the bench. Further logs get the noise only, because their gaps exclude other faults."""
     label = built["label"]
     built["logs"], label["bench"] = bench.apply(built["logs"], faults, size, rng)
     if built["further"] and "pink" in faults:
@@ -47,7 +47,7 @@ def on_bench(built, faults, size, rng):
 
 
 def limit_memory():
-    """Limit the memory of a process, so that only a case that needs more fails, with its name."""
+    """Limit the memory of a process, so that a case that needs more fails alone and is named."""
     resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
 
 

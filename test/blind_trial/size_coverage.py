@@ -2,9 +2,8 @@
 # Computes how often the 95 % interval of the size of an effect contains the true size, on new benches. Their laws have
 # another form than the fitted ones. The true size is the number that the listed law would need.
 """Coverage of sizes. Usage: size_coverage.py FOLDER --diagnose PATH --replay PATH [--benches 60] [--seed 2] [--jobs 1]
-
-Prints by kind and pooled how many sizes of effects that were named lie in their interval. Benches that FOLDER has
-already, with their report, are not made again.
+Prints, for each kind and for all kinds, how many sizes of named effects lie in their interval. Benches that already
+exist in FOLDER with their report are not made again.
 """
 import argparse
 import concurrent.futures

@@ -3,7 +3,7 @@
 # --gain, the gain of the force sensor is wrong too, and the errors of the sheet are smaller.
 """Cases of wrong data sheets. Usage: wrong_sheets.py OUTPUT --replay PATH [--cases 60] [--seed 21] [--gain] [--jobs 1]
 
-Cases and labels as generate.py writes them, for run.py and judge_again.
+Writes cases and labels in the format of generate.py, for run.py and judge_again.
 """
 import argparse
 import concurrent.futures

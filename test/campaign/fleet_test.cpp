@@ -83,7 +83,7 @@ TEST(Distributions, TheIntervalOfTheMedianHasTheRanksOfTables) {
   EXPECT_EQ(interval(25), (Ends{8.0, 18.0}));
 }
 
-// In 400 fleets of 20, an interval of 95.9 % misses 16 times, with a standard deviation of 4. The limit is 16 + 4 * 4.
+// In 400 fleets of 20, intervals of 95.9 % miss the truth 16 times, with a standard deviation of 4. The limit is 32.
 TEST(Distributions, TheIntervalOfTheMedianCoversWhatItSays) {
   std::mt19937 generator(1);
   std::normal_distribution<double> normal(0.05, 0.04);

@@ -82,7 +82,7 @@ std::vector<double> forceAtSamples(const component::Component& component, compon
   return sampled;
 }
 
-// An effect as an element of a given strength. If another element exists, its law differs from the candidate's law.
+// An effect as an element of a given strength. Where possible, its law differs from the candidate's law.
 struct Effect {
   const char* name;
   double strength;  // initial value for the search of the wanted gap

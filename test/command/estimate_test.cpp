@@ -121,7 +121,7 @@ TEST(EstimateReport, FigureMarksTheSpecification) {
   EXPECT_THAT(curve("K_max").y, testing::Each(specified.at("maximum_stiffness") * 1e-6));
   EXPECT_THAT(curve("K_n at f_n").x, testing::ElementsAre(specified.at("nominal_frequency")));
   EXPECT_THAT(curve("K_n at f_n").y, testing::ElementsAre(specified.at("dynamic_stiffness") * 1e-6));
-  EXPECT_TRUE(curve("K at f_h").x.empty());  // the maximum stiffness is not a stiffness at f_h
+  EXPECT_TRUE(curve("K at f_h").x.empty());  // K_max is not the stiffness at the frequency f_h
 }
 
 }  // namespace

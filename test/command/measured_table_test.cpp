@@ -73,7 +73,7 @@ TEST(MeasuredTable, ReadsTheQuantitiesThatLaboratoriesWrite) {
   EXPECT_DOUBLE_EQ(comma.points.at(0).stiffness, 1352.75e3);
 }
 
-// A table is refused before the fit if no component can have its values, or if they only suit this one in another unit.
+// A table is refused before the fit if no component can have its values, or if this one has them in another unit.
 TEST(MeasuredTable, IsHeldAgainstTheComponent) {
   const io::ComponentDescription bush{"bush",
                                       {{"spring", {{"stiffness", {1.2e6}}}}, {"dashpot", {{"damping", {2e4}}}}}};

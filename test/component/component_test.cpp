@@ -408,7 +408,7 @@ TEST(SeriesCompliance, IsSolvedAlikeWithAndWithoutOtherElements) {
 }
 
 TEST(SeriesCompliance, SolvesWhereTheSpecimenSoftens) {
-  // The tangent stiffness of the specimen, 3e6 + 2 k2 z, falls to -1e6 at z = -2 mm. With a compliance of 1/3e7 this is
+  // The tangent stiffness of the specimen, 3e6 + 2e9 z, falls to -1e6 at z = -2 mm. With a compliance of 1/3e7 this is
   // still stable.
   WithState component({kSpring, kSeriesCompliance, entry("asymmetric_stiffness quadratic=1e9")});
   for (int i = 1; i <= 100; ++i) {

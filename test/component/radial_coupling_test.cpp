@@ -48,7 +48,7 @@ TEST(RadialCoupling, GivesTheForcesOfTheReference) {
   EXPECT_LT((forceAt(laws, kReference) - Vector3d(3900.0, -5200.0, 3250.0)).norm(), 1e-9);
 }
 
-// The potential follows from the points of the two curves. Its error is the square of the distance of the points.
+// The potential follows from the points of the two curves, up to the square of the distance between points.
 TEST(RadialCoupling, GivesTheEllipticForcesOfTheReference) {
   SixDirectionsLaws laws;
   laws.translation = Coupling::cylindrical;

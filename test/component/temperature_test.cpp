@@ -48,8 +48,8 @@ std::vector<double> forces(const component::Component& component, double tempera
   return result;
 }
 
-// At a constant temperature, all rates and the force are scaled. For every law, steps of dt/a_T at the reference give
-// the forces divided by b_T. Factors and products such as 1/tau have rounding errors of 1e-12 of the largest force.
+// At a constant temperature, rates are scaled by a_T and the force by b_T. So for every law, steps of dt/a_T at the
+// reference temperature give the forces divided by b_T. The tolerance covers the rounding of factors and products.
 TEST(Temperature, ShiftsEveryLawAlike) {
   constexpr double kDt = 1e-3;
   for (const element::ElementDescription& law : typicalElements()) {

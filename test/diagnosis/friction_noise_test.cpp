@@ -38,13 +38,13 @@ TEST(FrictionStarts, AreNoneWhereThePastIsKnown) {
   EXPECT_EQ(measurement::frictionStarts(elementsWithBerg(5e-3), logs)[0].cols(), 0);
 }
 
-// Motion of up to 2 mm exceeds a displacement of 0.01 mm at half the force by far, so friction soon forgets its start.
+// At 0.01 mm friction has half of its maximum force. Motion of up to 2 mm slides, so friction soon forgets its start.
 TEST(FrictionStarts, AreNextToNoneWhereMotionSlides) { EXPECT_LT(forgotten(1e-5), 0.06); }
 
-// With a displacement of 200 mm at half the force, friction acts as a spring. Its initial force is a constant offset.
+// If friction has half of its maximum force at 200 mm, it acts as a spring. Its initial force is a constant offset.
 TEST(FrictionStarts, AreAZeroWhereFrictionHardlyMoves) { EXPECT_LT(forgotten(0.2), 1e-3); }
 
-// Between the two limits, the initial force decays within the log.
+// For a displacement in between, the initial force decays within the log.
 TEST(FrictionStarts, AreLargestInBetween) { EXPECT_GT(forgotten(5e-3), forgotten(0.2)); }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST(MotionSurvey, KnowsALongMotionByItsStretches) {
     }
     EXPECT_EQ(survey.samples(), kSamples);
     EXPECT_EQ(survey.stretch(), 8U);  // the smallest power of two with at most 65,536 stretches
-    // The mean is 500 times the amplitude, which costs a deviation from sums of squares at most 6 of 16 digits.
+    // The mean is 500 times the amplitude, so deviations from sums of squares lose at most 6 of 16 digits.
     EXPECT_NEAR(survey.deviation(0, kSamples), deviationOf(z, 0, kSamples), 1e-12);
     EXPECT_NEAR(survey.deviation(8000, 16000), deviationOf(z, 8000, 16000), 1e-12);
     const auto largest = static_cast<std::size_t>(std::max_element(z.begin(), z.end()) - z.begin());

@@ -1,4 +1,4 @@
-// Errors of a single log are reported for this log and written to no file. No written file fits a log worse.
+// Errors of a single log are reported for this log and written to no file. No written file fits a log noticeably worse.
 #include "diagnosis/results/own_errors.h"
 
 #include "checked_diagnosis.h"

@@ -47,7 +47,7 @@ std::string outputOf(const std::string& command) {
 
 TEST(RunRecord, NamesFilesByTheirSha256) {
   const std::string path = testing::TempDir() + "run record's file";
-  std::string content(200000, 'x');  // longer than one read of the digest
+  std::string content(200000, 'x');  // read in several blocks
   content += '\0';
   std::ofstream(path, std::ios::binary) << content;
   setenv("SOURCE_DATE_EPOCH", "86399", 1);

@@ -8,7 +8,7 @@
 
 namespace rubber_suspension {
 
-constexpr double kOneDeviation = 0.002;  ///< gap that a departure of one standard deviation counts as
+constexpr double kOneDeviation = 0.002;  ///< gap that counts as much as a departure of one standard deviation
 
 /// Returns the Zener solid of all test rigs.
 inline io::ComponentDescription rigComponent() {

@@ -157,7 +157,7 @@ TEST(Scatter, IsWhatTheLaboratoryStates) {
 }
 
 // The upper limit of a one-sided 84 % interval exceeds the truth in 84 % of tables, so in at least 25 of 40 (99.9 %).
-// With 8 free complex numbers it is 1.27 times the estimate, plus the error of the smooth surface.
+// With 8 free complex numbers the limit is 1.27 times the estimate, plus the error of the smooth surface.
 TEST(Scatter, CoversTheNoiseOfRepeatsAndOfSmoothTables) {
   const io::ComponentDescription truth = with(kZener, kFriction);
   const fit::MeasuredTable exact = Laboratory(1, 0.0).table(truth);

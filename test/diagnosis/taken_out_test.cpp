@@ -11,7 +11,7 @@
 namespace rubber_suspension::diagnosis {
 namespace {
 
-// Accounts for a log of the rig whose force has an effect added. The fit has free columns that may remove the effect.
+// Accounts for a log whose force has an effect added, which the least-squares columns `free` may remove again.
 class TakenOutTest : public ::testing::Test {
  protected:
   std::vector<TakenOut> accountFor(const RigEffect& effect, const std::vector<RigEffect>& free) {

@@ -13,7 +13,7 @@ using Slope = std::function<double(double)>;  // stiffness as a function of disp
 
 struct Film {
   double cubic = 0.0;  // force of the cubic spring at the reach [N]
-  Slope relaxing;      // stiffness of the branch with 4 s; the branch with 0.8 s has half of it [N/m]
+  Slope relaxing;      // stiffness of the branch of 4 s, twice that of the branch of 0.8 s [N/m]
 };
 
 Film linearBesideCubic() {

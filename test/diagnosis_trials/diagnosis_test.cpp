@@ -90,7 +90,7 @@ TEST(Diagnosis, TakesAMountForItselfOrForWrongValues) {
 // compliance, up to 0.5 % of the force.
 TEST(Diagnosis, TakesAMountBesideStiffeningForItselfOrForWrongValues) {
   constexpr double kMount = 2e7;   // stiffness [N/m], so a fifteenth of the compliance
-  constexpr double kCubic = 2e11;  // stiffness [N/m^3], which makes up 1.6 kN of 4 kN
+  constexpr double kCubic = 2e11;  // stiffness [N/m^3]; it has 1.6 kN of the force of 4 kN
   const auto stiffening = [](double, double z, double) { return kCubic * z * z * z; };
   const auto deflection = [](double force) { return force / kMount; };
   io::ComponentDescription component = rigComponent();

@@ -40,7 +40,7 @@ TEST(HeldForce, IsThatOfTheFileThatIsWritten) {
                        {held("held", 4, 1.6e-3, -1e-3)});
   ASSERT_EQ(found.answer.effects, std::vector<std::string>{"friction"}) << found.sentence;
   const component::Component written = componentOf(io::toYaml({found.law.augmented})).makeComponent();
-  // The gap at the lower limit of the interval for the share closed on further logs.
+  // This is the largest gap on further logs that the interval of the closed share permits.
   const double most = found.gaps.unseen.re_estimated -
                       found.gaps.closed_interval[0] * (found.gaps.unseen.re_estimated - found.gaps.unseen.noise_floor);
   for (const log::Log& fresh : {held("fresh", 5, 1.8e-3, -1.2e-3), moved("moved", 6)}) {

@@ -20,7 +20,7 @@ diagnosis::Diagnosis diagnoseWithGain(double gain, const io::ComponentDescriptio
                           {runWithGain("unseen", 3, gain)});
 }
 
-// A gain differs from values that are all off by the same factor in its tolerance only. Both are reported, and the
+// Only its tolerance distinguishes a gain from values that are all off by the same factor. Both are reported, and the
 // sentence itself states the gain if it is far more likely. The size of the gain is correct.
 TEST(SensorGain, IsToldBesideWrongValues) {
   for (const double gain : {0.5, -0.4, 0.06, -0.12}) {

@@ -1,4 +1,4 @@
-// Whole diagnoses with a temperature that explains the gap, without one, and of a component that already follows it.
+// Whole diagnoses: a temperature explains the gap, logs have no temperature, a component follows it already.
 #include "diagnosis/checked_diagnosis.h"
 #include "diagnosis/warm_rig.h"
 #include "rubber_suspension/gap/gap.h"

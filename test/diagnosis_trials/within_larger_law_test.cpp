@@ -8,7 +8,7 @@ namespace {
 
 double stop(double z) { return 3e6 * (z - std::clamp(z, -0.0013, 0.0013)); }
 
-// A coupling of friction and relaxation fits nearly as well as both effects do, with fewer names.
+// A single effect, the coupling of friction and relaxation, fits nearly as well as these two effects.
 TEST(WithinALargerLaw, FrictionAndRelaxationBesideAStopAreToldAsThese) {
   // The branch with a stiffness of 8e5 N/m relaxes in 0.15 s.
   const auto branch =

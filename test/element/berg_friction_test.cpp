@@ -1,4 +1,4 @@
-// Berg's friction element agrees with its closed forms. Two of its known weaknesses have the measured size.
+// Berg's friction element compared with closed forms, and the sizes of its two known weaknesses.
 #include "rubber_suspension/element/berg_friction.h"
 
 #include "element/driver.h"
@@ -112,8 +112,8 @@ TEST(BergFriction, DeadBandHoldsTheBranchUntilTheReversalIsSure) {
 }
 
 // Peak force and loss of a noisy sine of 4 Hz and amplitude 2, with F_max = 5 and z2 = 2.2, over 60 settled cycles.
-// Without noise they are 1.973 and 4.291. Other noise over few cycles, when the peak is still 1 % higher, gave the
-// expected values. Hence the wide tolerances.
+// Without noise they are 1.973 and 4.291. The expected values were found with other noise over few cycles, when the
+// peak is still 1 % higher. Hence the wide tolerances.
 struct Noisy {
   double sampling, noise;  // [Hz]; standard deviation divided by the amplitude
   bool dead_band;          // with a width of 6 standard deviations

@@ -414,8 +414,8 @@ TEST_P(Contract, RefiningTheStepConverges) {
   const double coarse = rmsDifference(forcesOfSmoothMotion(component_, 1), reference);
   const double fine = rmsDifference(forcesOfSmoothMotion(component_, 8), reference);
   const double negligible = 1e-11 * largest(reference);
-  // An error of first order falls to 1/8, plus 1/128 for the error of the reference. It scatters a little, because
-  // samples miss the turning points.
+  // With an eighth of the step, a first-order error falls to 1/8, plus 1/128 for the error of the reference. It
+  // scatters a little, because samples miss the turning points.
   EXPECT_LE(fine, std::max(negligible, 0.2 * coarse)) << "coarse " << coarse;
 }
 

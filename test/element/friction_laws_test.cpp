@@ -14,7 +14,7 @@ TEST(VariableFriction, LimitGrowsWithDisplacementToEitherSide) {
   EXPECT_NEAR(driver.step(0.01, -4e-3), -5.0 * 400.0, 1e-9);
 }
 
-// Sliding by the travel reduces the maximum force by a factor of e. A rest does not restore it.
+// Over the distance `travel`, sliding reduces the maximum force by a factor of e. A rest does not restore it.
 TEST(VariableFriction, WearsAlongTheTravelForGood) {
   Driver driver("variable_friction stiffness=1e6 yield_displacement=4e-4 travel=0.05");
   EXPECT_NEAR(driver.step(0.01, 0.05), 400.0 * std::exp(-1.0), 1e-9);
@@ -106,7 +106,7 @@ TEST(FrictionBehindPlay, LosesWhatItsFormulaSays) {
   EXPECT_NEAR(settledWork(driver, 2e-3, 2, 4000), 4.0 * 400.0 * (2e-3 - 6e-4), 1e-6);
 }
 
-// The force of steady motion is k tau v or k y. After a reversal it relaxes, and is zero within the gap.
+// In steady motion the force is k tau v (Maxwell) or k y (power dashpot). After a reversal it falls to 0 in the gap.
 TEST(DamperBehindPlay, IsMissingAfterAReversal) {
   for (const auto& [law, force, tolerance] :
        {std::tuple("maxwell_behind_play stiffness=1e6 break_frequency=200 gap=1e-3",

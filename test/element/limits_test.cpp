@@ -175,13 +175,13 @@ std::vector<Flow> flows() {
       // The force F solves k tau v = F (1 + F/(k y)).
       {"nonlinear_maxwell stiffness=1e6 break_frequency=2 displacement=5e-4", 0.05, 2.0, 20000,
        500.0 * (std::sqrt(0.25 + kViscous / 500.0) - 0.5), 1e-4 * kViscous},
-      // The three limits are k v/(1/tau + v/s), k s (as for Dahl's law), and k s m with m = 1/(1 + v T/s).
+      // With travel s and recovery time T, the forces are k v/(1/tau + v/s), Dahl's k s, and k s/(1 + v T/s).
       {"payne_maxwell stiffness=1e6 break_frequency=2 recovery_time=0.3 travel=5e-3", 0.05, 20.0, 20000,
        1e6 * 0.05 / (2.0 * element::kPi * 2.0 + 0.05 / 5e-3), 1e-9},
       {"payne_maxwell stiffness=1e6 break_frequency=0 recovery_time=0 travel=5e-4", 0.05, 2.0, 1, 500.0, 1e-9},
       {"transient_network stiffness=1e6 break_frequency=0 recovery_time=0.3 travel=5e-3", 0.05, 10.0, 1,
        5e3 / (1.0 + 0.05 * 0.3 / 5e-3), 1e-9},
-      // Wear and build-up are in balance at a limit of m = 1/(1 + v T_b/s) times its full value.
+      // With travel s and build-up time T_b, wear and build-up balance at 1/(1 + v T_b/s) of the full limit.
       {"variable_friction stiffness=1e6 yield_displacement=4e-4 travel=2e-3 build_up_time=0.5", 0.01, 20.0, 1,
        400.0 / (1.0 + 0.01 * 0.5 / 2e-3), 1e-9},
       // The force is c v + c_2 v^2. Steps of 1 ms have an error of 1e-4 of c_2 v^2 (see inertia_track_test.cpp).

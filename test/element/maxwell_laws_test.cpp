@@ -66,8 +66,8 @@ TEST(TransientNetwork, OneStepSolvesTheEquation) {
   }
 }
 
-// Kraus's curve K' = k/(1 + (a/a_c)^2), a_c = pi s/2, holds far above the recovery rate 1/T. The share of intact bonds
-// ripples by 1/(4 pi f T) = 4 % at 1 Hz. Its second harmonic changes K' by less than 2 % of k.
+// With the travel s, Kraus's curve K' = k/(1 + (a/a_c)^2), a_c = pi s/2, holds far above the recovery rate 1/T. The
+// share of intact bonds ripples by 1/(4 pi f T) = 4 % at 1 Hz. Its second harmonic changes K' by less than 2 % of k.
 TEST(PayneMaxwell, SoftensWithAmplitudeByKrausCurve) {
   constexpr double kCritical = element::kPi / 2.0 * 1e-3;
   for (const double frequency : {1.0, 8.0}) {

@@ -204,7 +204,7 @@ TEST(StressSoftening, SoftensOnlyWithinWhatWasReachedAndStaysThroughARest) {
   EXPECT_LT(effect.step(1e-3), 0.75) << "after the rest";
 }
 
-// The slope is at most R 2/w, on both sides and for one-sided effects. A step is a 200th of the reach.
+// With reduction R and width w, the slope is at most R 2/w, also on one side only. A step is a 200th of the reach.
 TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
   double before = factorAt("stress_softening reduction=0.3 width=0.5", 0.0, 2.0);
   EXPECT_NEAR(before, 0.7, 1e-12);
@@ -224,7 +224,7 @@ TEST(StressSoftening, FactorIsMonotoneAndContinuous) {
   }
 }
 
-// If tanh x = x (up to x^3/3), the reduction falls linearly with the displacement.
+// With a wide transition, tanh x is x up to x^3/3, so the reduction falls linearly with the displacement.
 TEST(StressSoftening, MayCountDisplacementInPlaceOfEnergy) {
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     EXPECT_NEAR(factorAt("stress_softening reduction=0.3 width=10 ratio_power=1", share * 2e-3, 2e-3),
@@ -275,7 +275,7 @@ TEST(StressSoftening, RecoversAtRest) {
   EXPECT_EQ(effect.reach(), 0.0);
 }
 
-// In steady motion with a constant loss force F, the softening x obeys dx/dt = s F v (1 - x) - x/T.
+// With a loss force F at speed v, sensitivity s and time constant T, softening x obeys dx/dt = s F v (1 - x) - x/T.
 TEST(SelfHeating, SettlesAtTheBalanceOfHeat) {
   Effect effect("self_heating energy_sensitivity=1e-3 time_constant=20");
   element::ComponentForce force;

@@ -30,7 +30,7 @@ TEST(Iwan, BackboneReachesHalfAtItsDisplacementAndAllAtTheEnd) {
   }
 }
 
-// The backbone of many sliders is the hyperbola of Berg's first loading, up to 4 % because it ends at 50 z2.
+// The backbone of many sliders is within 4 % of the hyperbola of Berg's first loading, because it ends at 50 z2.
 TEST(Iwan, BackboneIsCloseToBergs) {
   const element::SliderBank law(element::iwanSliders(5.0, 2.2, 64));
   for (const double z : {0.2, 1.0, 2.0, 4.0, 10.0}) {

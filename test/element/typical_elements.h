@@ -133,7 +133,7 @@ inline std::vector<element::ElementDescription> typicalElements() {
   };
 }
 
-/// Returns true for laws that add a force. Effects on displacement or force and mounts do not.
+/// Returns true for laws that add a force, false for mounts and for effects on displacement or force.
 inline bool addsForce(const element::ElementDescription& description) {
   return element::lawOf(element::makeElement(description)).action() == element::Action::adds_force;
 }

@@ -94,7 +94,7 @@ TEST(ModelParameters, OfElementsHaveTheirTolerances) {
   EXPECT_NEAR(usual.bounds()[0], std::log(10.0), 1e-12);
 }
 
-// Some data sheets define one stiffness by another, such as a single Maxwell element at the high frequency.
+// Some data sheets define one stiffness by another, for example that of one Maxwell element at the high frequency.
 TEST(ModelParameters, DepartFromEveryNumberThatASheetMayState) {
   for (const auto& [key, value] : std::map<std::string, double>{
            {"maximum_stiffness", 1.5e6}, {"loss_angle", 0.1}, {"relative_damping", 0.05}, {"break_frequency", 7.0}}) {

@@ -169,7 +169,7 @@ TEST(Surrogate, IsFittedToASingleLogByBlocks) {
   EXPECT_LT(errors.after, 0.5 * errors.before);
 }
 
-// Twice the stroke and the force in half the time must give the same result in other units.
+// Doubling stroke and force and halving the time must only change the units of the result.
 TEST(Surrogate, ScalesWithTheLog) {
   const Missing teeth = [](const std::vector<double>& z) {
     return each(z, [](double x) { return 150.0 * std::sin(2.0 * element::kPi * x / 1e-3); });

@@ -57,7 +57,7 @@ TEST(Summary, HasTheGapOnlyWithAMeasuredForce) {
               HasSubstr("gap to the measured force 0.0000 without an offset of 12.5 N"));
 }
 
-// Many cycles would fill the axes of the figure. It shows the last cycles and their residual, and the smallest and
+// Many cycles would fill the axes, so the figure shows the last cycles with their residual, and the smallest and
 // largest residual over the whole log.
 TEST(ReplayFigure, ShowsTheLastCyclesAndTheWholeLogsResidual) {
   log::Log log = sineLog(120001);

@@ -68,7 +68,7 @@ TEST(ReplayWithTemperature, RecordsFollowItToo) {
   EXPECT_EQ(both[1], plain[1]) << "a record without a temperature is at the reference";
 }
 
-// Motion before the log may determine the part of the rig. It is simulated at the first temperature of the log.
+// Motion before the log, which may explain a force of the rig, is simulated at the first temperature of the log.
 TEST(ReplayWithTemperature, AMotionBeforeTheLogHasItsFirstTemperature) {
   log::Record record = log::makeRecord(warmingLog());
   log::Record longer = record;
@@ -76,7 +76,7 @@ TEST(ReplayWithTemperature, AMotionBeforeTheLogHasItsFirstTemperature) {
   longer.displacement = Eigen::VectorXd::Constant(record.size() + kBefore, record.displacement[0]);
   longer.displacement.tail(record.size()) = record.displacement;
   const Eigen::VectorXd force = gap::simulate(kElements, {record}).front();
-  // The component rests before the log, so the forces are equal up to rounding, which other steps change.
+  // The component rests before the log, so the forces are equal up to the rounding in additional steps.
   EXPECT_LE((gap::simulate(kElements, {longer}).front().tail(record.size()) - force).cwiseAbs().maxCoeff(), 1e-9 * 3e3);
 }
 

@@ -105,7 +105,7 @@ TEST(WholeComponentFile, WithoutASolutionNamesItInTheUnitsOfTheUser) {
   EXPECT_THAT(refusal,
               HasSubstr("file.yaml:7: component 'bush': specification.dynamic_stiffness: 4.2 kN/mm cannot be"));
   EXPECT_THAT(refusal, HasSubstr("dynamic_stiffness in (4.33623, 6.08374) kN/mm"));
-  // The error proposes the nearest specification with a solution. It can be pasted into the file.
+  // The error proposes the nearest specification with a solution, which can be pasted into the file.
   const std::string nearest = "nearest: specification: {";
   const std::size_t begin = refusal.find(nearest) + nearest.size();
   const std::string pasted = refusal.substr(begin, refusal.find('}', begin) - begin);
@@ -120,7 +120,7 @@ const char* const kCurve = R"(      static_curve:
         force: [0 kN, 5 kN, 11 kN, 19 kN, 30 kN, 45 kN]
 )";
 
-// The curve is the absolute static force. K_st is its tangent at the nominal force, at a point the mean of both sides.
+// The curve is the absolute static force. K_st is the tangent at the nominal force, or the mean of both at a point.
 TEST(StaticCurveFile, IsTheForceAtRest) {
   const io::ComponentDescription component =
       load(std::string("    model: maxwell\n    specification:\n") + kCurve +
@@ -177,14 +177,14 @@ TEST(StaticCurveFile, ScalesSlidersWhereAsked) {
               HasSubstr("friction.scale_with: cannot scale with a curve"));
 }
 
-// Each block of the sheet has its own preload and dynamic stiffness. In between, the stiffness lies between the two.
+// Each block of the data sheet has its own preload and stiffness. Between the preloads, the stiffness is in between.
 TEST(PreloadsFile, MeetEachBlock) {
   const io::ComponentDescription component =
       load(std::string("    model: multi_maxwell\n    specification:\n") + kCurve +
            "      nominal_frequency: 10\n      high_frequency: 60\n      low_frequency: 0.5\n      preloads:\n"
            "        - {nominal_displacement: 2.5 mm, dynamic_stiffness: 1.3 kN/mm, maximum_stiffness: 1.6 kN/mm}\n"
            "        - {nominal_displacement: 17.5 mm, dynamic_stiffness: 3.3 kN/mm, maximum_stiffness: 4.4 kN/mm}\n");
-  // The stiffness of the branches is an odd function about a preload, so a small loop has its mean up to second order.
+  // About a preload, the stiffness of the branches changes as an odd function, so a small loop has the value there.
   EXPECT_NEAR(at(component, 10.0, 1e-5, 2.5e-3).stiffness, 1.3e6, 1.3e3);
   EXPECT_NEAR(at(component, 10.0, 1e-5, 17.5e-3).stiffness, 3.3e6, 3.3e3);
   const double between = at(component, 10.0, 1e-5, 12.5e-3).stiffness;

@@ -41,7 +41,7 @@ inline diagnosis::judge::Evidence unexplained(std::size_t logs, int effects, dou
   return evidence;
 }
 
-/// Sets the gap of a single effect to `left`. The square by which the residual falls is the square of its force.
+/// Sets the gap of a single effect to `left`. The square of the residual falls by the square of the effect's force.
 inline void explain(diagnosis::judge::Evidence& evidence, int effect, double left) {
   diagnosis::judge::HypothesisEvidence& single =
       evidence.hypotheses[static_cast<std::size_t>(diagnosis::judge::Evidence::kFirstSingle + effect)];

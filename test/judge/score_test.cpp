@@ -74,7 +74,7 @@ TEST(LogWeights, AreThoseOfTheEquations) {
               1e-9);
 }
 
-// Departures from the sheet cost Student's t of their chi^2, small effects the logarithm of their share.
+// A departure from the sheet costs as in Student's t with its chi^2, a small effect by the logarithm of its share.
 TEST(LogWeights, CostDeparturesFromTheSheetAndSmallShares) {
   Evidence evidence = unexplained(1, 1, 0.1, 50);
   explain(evidence, 0, 0.02);

@@ -255,7 +255,7 @@ TEST(Advice, SettlesWhetherMarksAreThousands) {
   EXPECT_EQ(readText(text, byOption("--decimal", ",")).force[2], 1000.0);
 }
 
-// If only some columns determine the decimal mark, it applies to all columns, unless a smooth channel would then jump.
+// Columns with a clear decimal mark determine that of all columns, unless a smooth channel would then jump.
 TEST(Advice, LeavesTheMarkToTheOtherColumns) {
   const std::string head = "Time [s];Travel [mm];Force [N]\n";
   EXPECT_EQ(readText(head + "0,005;1,25;998\n0,010;1,5;1.002\n", {}).force[1], 1002.0);

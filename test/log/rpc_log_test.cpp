@@ -31,7 +31,7 @@ TEST(RpcLog, IsReadBackToSinglePrecision) {
   EXPECT_EQ(log.displacement.back(), log.displacement[kSamples - 1]) << "holds its last value";
 }
 
-// The log is read in blocks of 65,536 samples. They do not end at the ends of the groups in the file.
+// The log is read in blocks of 65,536 samples, which end within groups of the file.
 TEST(RpcLog, IsReadBlockByBlock) {
   const std::vector<double> z = sine(300 * 1024, 5.0);
   const TemporaryFile file("drive.drv", log::rpcFile(1e-3, {{"displacement", "mm", z}}));

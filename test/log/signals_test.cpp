@@ -186,7 +186,7 @@ TEST(Sentinels, AreNoPeaksOrSteps) {
   }
 }
 
-// The time restarts, as LabVIEW's X_Value does, or the time of a test with cycles.
+// The time restarts, as LabVIEW's X_Value or the time within each cycle of a test do.
 TEST(Restarts, OfTheTimeAreSegments) {
   std::string text = kHeader + "\n";
   for (int row = 0; row < kRows; ++row) {

@@ -216,8 +216,8 @@ TEST(BenchCheck, NamesTheReversedSignAtAnySizeOfTheSlope) {
   }
 }
 
-// A guessed stiffness may be wrong by any factor. So a unit that the log names is doubted only if all logs are off by a
-// factor between units.
+// A guessed stiffness may be wrong by any factor. So a unit that the log names is doubted only if all logs are off by
+// the factor between two units.
 TEST(BenchCheck, DoubtsNamedUnitsByTheirOwnFactorInAllLogsAlone) {
   const auto logs = [](double factor, log::UnitsAre units) {
     return std::vector<log::Record>{sine(1.0, factor * 1e6, 0.1, units), sine(3.0, 1.1 * factor * 1e6, 0.1, units)};
@@ -235,7 +235,7 @@ TEST(BenchCheck, DoubtsNamedUnitsByTheirOwnFactorInAllLogsAlone) {
   for (const double factor : {1000.0, 15.0, 2.0}) {
     EXPECT_TRUE(checkBench(kSpring, logs(factor, log::UnitsAre::accepted)).empty());
   }
-  // Deviations within the tolerance of the data sheet are no faults of the bench. For a guess it is a power of ten.
+  // Deviations within the tolerance of the data sheet (a factor of 10 for a guess) are no faults of the bench.
   const double guess = estimation::SheetTolerance::kGuess;
   for (const double factor : {15.0, 4.448, 2.0, 0.5}) {
     EXPECT_TRUE(checkBench(kSpring, logs(factor, log::UnitsAre::named), guess).empty()) << factor;

@@ -45,13 +45,13 @@ TEST(Whitener, Whitens) {
     const Whitener whitener(estimateNoise(noise, mask), mask);
     const Eigen::VectorXd white = whitener(noise).col(0);
     EXPECT_EQ(white[3010], 0.0);
-    // The estimates have standard deviations of 0.007 and 0.01. A filter of 30 dB needs wider limits.
+    // The estimates have standard deviations of 0.007 and 0.01. The limits are wider for the filter with its 30 dB.
     EXPECT_NEAR(std::sqrt(white.squaredNorm() / static_cast<double>(mask.count())), 1.0, 0.05) << kind;
     EXPECT_NEAR(white.head(kCount - 1).dot(white.tail(kCount - 1)) / white.squaredNorm(), 0.0, 0.06) << kind;
   }
 }
 
-// Computes the likelihood from whitened unit vectors: the determinant of their triangular matrix scales the density.
+// Computes the likelihood from whitened unit vectors: a factor of the density is the determinant of their matrix.
 double logLikelihood(const NoiseModel& model, const Mask& mask, const Eigen::VectorXd& noise) {
   const Whitener whiten(model, mask);
   const Eigen::MatrixXd matrix = whiten(Eigen::MatrixXd::Identity(noise.size(), noise.size()));
@@ -100,8 +100,8 @@ TEST(NoiseFloor, IsThatOfTheNoise) {
   }
 }
 
-// A residual that follows the motion is a model error, not noise. A third of the Maxwell element is missing here, ten
-// times the white noise. In contrast, 1/f noise is found in most rigs.
+// A residual that follows the motion is a model error, not noise. Here a third of the Maxwell element is missing, a
+// force of ten times the white noise. In contrast, 1/f noise is found in most rigs.
 TEST(EvidenceOfNoise, IsThatOfAPowerThatDoesNotFollowTheMotion) {
   const std::vector<VirtualRig> rigs = allRigs(2);
   const auto coloured = [&](const Perturbation& p, double of_maxwell) {

@@ -8,7 +8,7 @@
 namespace rubber_suspension::measurement {
 namespace {
 
-// At least this share of 24 to 36 intervals of 95 % contains the true value in 99 of 100 runs (binomial).
+// In 99 of 100 runs, at least this share of 24 to 36 intervals (95 %) contains the true value (binomial).
 constexpr double kCovered = 0.84;
 constexpr double kFalse = 0.05;  // largest rate of false findings per log
 

@@ -103,9 +103,9 @@ TEST_F(NodeCore, AMalformedBundleTouchesNothing) {
   }
 }
 
-// The sequence watch of the node, with any pointer as the sender.
 using Watch = node::SequenceWatch<std::shared_ptr<int>>;
 
+// Serves a sample as the node does: counts lost samples, steps, and fills a message of the pool.
 void serve(node::ComponentChannel& channel, Watch& watch, ros_interface::MessagePool<Force>& pool,
            const Displacement& sample) {
   static const auto sender = std::make_shared<int>();

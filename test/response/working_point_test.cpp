@@ -172,7 +172,7 @@ TEST_P(WorkingPoint, IsWhatWasSpecified) {
   EXPECT_GE(solved, kSpecifications * (100 - GetParam().unsolved) / 100);
 }
 
-// For M1, K_n is the storage stiffness (Eq. 11) instead of the magnitude of K*.
+// For the Kelvin-Voigt model (M1), K_n is the storage stiffness (Eq. 11) instead of the magnitude of K*.
 TEST(WorkingPointOfKelvinVoigt, HasTheStorageStiffness) {
   generator.seed(20150801);
   for (int i = 0; i < kSpecifications; ++i) {

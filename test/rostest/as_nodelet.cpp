@@ -69,8 +69,8 @@ TEST(Nodelet, AnswersWithoutCopies) {
     addresses.insert(forces[0].get());
     forces.clear();
   }
-  // The server publishes messages from a pool, and reuses a message only when no subscriber uses it. If messages were
-  // copied, they would have many more addresses.
+  // The server publishes messages from a pool, and reuses a message only when no subscriber uses it. Copies of messages
+  // would have many more addresses.
   EXPECT_LE(addresses.size(), 32U);
   EXPECT_TRUE(loader.unload("/simulate"));
 }

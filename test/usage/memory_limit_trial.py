@@ -58,7 +58,7 @@ def bytes_of(number, unit):
 
 
 def check(diagnose_program, kind, folder):
-    """Return the error in the memory of a diagnosis of this kind, or an empty text."""
+    """Return what is wrong with the memory of a diagnosis of this kind, or an empty text."""
     logs, held_out, duration, rate, pauses, threads = kind
     rng = np.random.default_rng(1)
     paths = []

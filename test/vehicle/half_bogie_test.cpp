@@ -82,7 +82,7 @@ TEST(HalfBogie, TakesEachHeldForceFromTheStartOfItsStep) {
 }
 
 // On linear springs alone, the pitch obeys I theta'' = -2 k a^2 theta. The sine of the pitch and the linear path
-// between accepted steps change 1e-6 of the amplitude.
+// between accepted steps change the result by 1e-6 of the amplitude.
 TEST(HalfBogie, PitchesAsASingleOscillator) {
   Scene scene;
   scene.duration = 0.5;

@@ -13,12 +13,12 @@ namespace rubber_suspension::benchmark {
 
 struct BenchmarkOptions {
   std::vector<int> components = {1, 10, 50};
-  double rate = 1000.0;         ///< of each component, unless that exceeds total_rate [Hz]
+  double rate = 1000.0;         ///< sampling rate of each component, limited by total_rate [Hz]
   double total_rate = 10000.0;  ///< largest rate of all components together [Hz]
-  double duration = 1.0;        ///< of each run [s]
+  double duration = 1.0;        ///< duration of each run [s]
   int pairs = 31;               ///< runs of echo node, node, and echo node again, per row
-  double flood_duration = 2.0;  ///< of each run at the highest rate [s]
-  bool diagnose = false;        ///< compare a node that diagnoses with one that does not, instead of the echo node
+  double flood_duration = 2.0;  ///< duration of each run at the highest rate [s]
+  bool diagnose = false;        ///< compare a node with and without the diagnosis, instead of an echo node
 };
 
 /// A quantile of the round-trip times over the runs.
@@ -55,7 +55,7 @@ struct SoakResult {
   int components = 0;
   std::uint64_t sent = 0;
   std::uint64_t answered = 0;  ///< samples with exactly one force
-  std::uint64_t surplus = 0;   ///< forces without a sample, or beyond the first of a sample
+  std::uint64_t surplus = 0;   ///< forces without a sample, and further forces of a sample
   double elapsed = 0.0;        ///< [s]
   std::vector<long> memory;    ///< resident memory of the node after each hundredth of the samples [bytes]
 

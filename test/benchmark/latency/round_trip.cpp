@@ -68,7 +68,7 @@ struct RoundTripMeter::Link {
         "no node serves {}", publisher.getTopic());
   }
 
-  // Prepares a run of `capacity` samples that begins with this number. Meanwhile no answers may arrive.
+  // Prepares a run of `capacity` samples that begins with this number. No answers may arrive during the call.
   void begin(std::uint64_t number, std::size_t capacity) {
     first = number;
     sent.assign(capacity, kAnswered);

@@ -32,7 +32,7 @@ def apply(logs, names, size, rng):
 
 
 def running_start(z, f, size, rng, common):
-    """Cut the log at the first large speed after its share `running_start`."""
+    """Cut off the beginning of the log, up to the first fast motion after a share `running_start` of it."""
     earliest = int(NUISANCES["running_start"] * size * len(z) * rng.uniform(0.5, 1.0))
     speed = np.abs(np.gradient(z))
     fast = np.flatnonzero(speed[earliest:len(z) // 2] > np.sqrt(np.mean(speed**2)))

@@ -34,7 +34,7 @@ HOPELESS = ({"relaxation", "creep"}, {"relaxation", "series_compliance"}, {"visc
             {"relaxation", "viscous_damping"}, {"creep", "force_drift"}, {"force_offset", "asymmetric_stiffness"},
             {"creep", "series_compliance"}, {"force_offset", "force_drift"}, {"progressive_stiffness", "bump_stop"},
             {"friction", "backlash"}, {"inertia", "fluid_inertia"})  # the second effect contains the first
-# Coupling is named only if no two effects explain the gap, and a contact needs its own programmes. So both are single.
+# Coupling is named only if no two effects explain the gap, and a contact needs its own programmes. Neither is paired.
 ALONE = ("rate_amplitude_coupling", "lift_off")
 PAIRED = [effect for effect in laws.EFFECTS if effect not in ALONE]
 
@@ -269,7 +269,7 @@ def wrong_file(case, spread):
 
 
 def measure(case):
-    """Run the rig, and add noise, its colour and quantisation of the sensors."""
+    """Run the rig, and add the coloured noise and the quantisation of the sensors."""
     rng, z = case["rng"], case["z"]
     true = [f[::FINE] for f in case["rig"].force(case["strengths"])]
     coarse = [x[::FINE] for x in z]

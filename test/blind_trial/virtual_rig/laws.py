@@ -59,7 +59,7 @@ def slip_length(rng, scale):
 
 
 def in_small_steps(slope, length, limit=math.inf):
-    """Return a friction force over its limit. `slope(h, step)` is its slope, in steps of up to 1/4 length."""
+    """Return a friction force over its limit, from its slope `slope(h, step)`. Steps are at most length/4."""
     def run(z, rate):
         out, h = np.empty_like(z), 0.0
         for i, step in enumerate((np.diff(z, prepend=z[0]) / length).tolist()):
@@ -390,7 +390,7 @@ def temperatures(force, z, rate, tau_fast, tau_slow, share):
 
 @law("self_heating", "two_nodes_linear")
 def heating_linear(rng, scale):
-    """The force falls in proportion to the temperature. Other force falls faster than elastic force, by a factor."""
+    """Elastic force falls in proportion to the temperature, all other force by a factor more."""
     fast, slow, share = rng.uniform(6.0, 25.0), rng.uniform(60.0, 240.0), rng.uniform(0.3, 0.8)
     extra = rng.uniform(1.0, 1.8)
 
