@@ -89,7 +89,7 @@ struct Effect {
   std::function<ElementDescription(double strength)> at;
 };
 
-// Returns elements of a type, in which the strength is the value of a parameter, limited to `most`.
+// Returns a function from a strength to an element, in which a parameter has that value, but at most `most`.
 std::function<ElementDescription(double)> one(const char* type, const char* parameter,
                                               const element::ParameterValues& others = {}, double most = HUGE_VAL) {
   return [=](double strength) {

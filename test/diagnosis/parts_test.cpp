@@ -115,7 +115,7 @@ TEST(FrictionNoise, IsOfTheOrderOfWhatNoiseDoes) {
   const double known = rootMeanSquare(done) / noisy.force_deviation;
   const double estimated = measurement::frictionNoise(friction, {noisy}).front();
   EXPECT_GT(known, 1e-3) << "there is something to be estimated";
-  // This compares one draw of a few events with a mean over three draws and three dead bands.
+  // The test compares one draw of a few events with a mean over three draws and three dead bands.
   EXPECT_GT(estimated, 0.4 * known);
   EXPECT_LT(estimated, 2.5 * known);
 }

@@ -178,7 +178,7 @@ TEST(FluidInertia, OfQuadraticLossIsOneTrack) {
   EXPECT_EQ(diagnosis::diagnose(component, logs, {}).sentence.find("fixture"), std::string::npos);
 }
 
-// This draws one bench of each kind. One bench in thirty may be named by chance.
+// The test draws one bench of each kind. One bench in thirty may be named by chance.
 TEST(FluidInertia, IsNamedOnHardlyABenchWithoutIt) {
   constexpr int kBenches = 10;
   int named = 0;

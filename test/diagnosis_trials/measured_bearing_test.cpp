@@ -21,8 +21,8 @@ TEST(MeasuredBearing, LacksFrictionAndSoftening) {
     EXPECT_EQ(std::count(result.answer.effects.begin(), result.answer.effects.end(), effect), 1)
         << effect << ": " << result.sentence;
   }
-  // This is the gap of held-out blocks. A fit without physical meaning has a gap of 4.9 %. Friction of constant maximum
-  // force, with softening by a factor, has a gap of 7.9 %.
+  // The gap is computed on held-out blocks. A fit without physical meaning has a gap of 4.9 %. Friction of constant
+  // maximum force, with softening by a factor, has a gap of 7.9 %.
   EXPECT_LT(result.gaps.unseen.augmented, 0.055) << result.sentence;
 }
 

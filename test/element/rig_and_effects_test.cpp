@@ -300,7 +300,7 @@ TEST(SelfHeating, TakesUpTheEnergyLostIfNothingCools) {
   for (int i = 1; i <= 1000; ++i) {
     factor = effect.step(1e-3 * i, force, 0.01);
   }
-  // 500 N over 1 m, minus half of the first step, in which the force rises from 0. The mean softening is 2.5e-4.
+  // The work is 500 N over 1 m, less half of the first step, where the force rises from 0. Mean softening is 2.5e-4.
   EXPECT_NEAR(1.0 - factor, 1e-6 * 500.0 * 0.9995, 1e-3 * 1e-6 * 500.0);
 }
 

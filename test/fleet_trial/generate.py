@@ -24,8 +24,8 @@ TOP_FREQUENCY = 10.0  # highest frequency of the motion [Hz]
 NOISE = 0.003     # noise of the force, relative to the standard deviation of the force
 KINDS = ("sines", "sweep", "holds", "track")
 SCATTER = {"static_stiffness": 0.04, "dynamic_stiffness": 0.02, "maximum_stiffness": 0.02}
-# These are standard deviations of logarithms. The static one (hardness of the rubber) changes all three stiffnesses.
-# The others are added to it, so that chance alone does not make a dynamic stiffness smaller than the static one.
+# These are standard deviations of logarithms. That of the static stiffness (hardness of the rubber) changes all three.
+# The others are added, so that chance alone does not make a dynamic stiffness smaller than the static one.
 
 # The fleets. `seed` is part of the seed of their draws. `scatter` is in units of SCATTER, `wrong` and `size` are
 # logarithms, `gap` is the gap after re-estimation, `compliance` that of the rig [m/N], `stiffness` the static stiffness

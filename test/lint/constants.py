@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Checks that pi has one spelling in the sources: element::kPi of element/constants.h.
 
-Usage: constants.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+Usage: constants.py FOLDER_OF_THE_PACKAGE. Prints a line per violation; exit status 1 if there is any.
 """
 
 import pathlib

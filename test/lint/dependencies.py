@@ -2,7 +2,7 @@
 """Checks that package.xml, the build files, the imports, scripts/dependencies.txt and scripts/rosdep.yaml name the same
 dependencies, and that package.xml, the build files, the scripts and the citation have the version of the last release.
 
-Usage: dependencies.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+Usage: dependencies.py FOLDER_OF_THE_PACKAGE. Prints a line per violation; exit status 1 if there is any.
 """
 
 import pathlib

@@ -2,7 +2,7 @@
 """Checks that pages name existing files, commands and launch files, that pages and comments use the words of the field,
 that messages name existing options, and that docs/api.md names the public headers.
 
-Usage: documents.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+Usage: documents.py FOLDER_OF_THE_PACKAGE. Prints a line per violation; exit status 1 if there is any.
 """
 
 import pathlib

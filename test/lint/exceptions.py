@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Checks that every public header states what it throws, and that it names exceptions if its source throws.
+"""Checks that every public header states what it throws, and names exceptions if its source throws.
 
-Usage: exceptions.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+Usage: exceptions.py FOLDER_OF_THE_PACKAGE. Prints a line per violation; exit status 1 if there is any.
 """
 
 import pathlib

@@ -2,7 +2,7 @@
 """Checks that launch files stay on the loopback interface: each node gets ROS_IP and ROS_HOSTNAME from the argument
 `ip` with the default 127.0.0.1, and an included file of this package gets the same argument.
 
-Usage: launch.py FOLDER_OF_THE_PACKAGE; one line per violation, exit status 1 if there is any.
+Usage: launch.py FOLDER_OF_THE_PACKAGE. Prints a line per violation; exit status 1 if there is any.
 """
 
 import pathlib

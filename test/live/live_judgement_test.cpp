@@ -39,7 +39,7 @@ TEST(SequentialEvidence, ForgetsBetsLostBeforeTheEffect) {
   for (; !evidence.isReached(); ++needed) {
     evidence.add(true);
   }
-  // This takes log(3.6e6)/log(1.8) = 25.7 blocks of a second. An effect must be named within two minutes.
+  // The evidence needs log(3.6e6)/log(1.8) = 25.7 blocks of a second. An effect must be named within two minutes.
   EXPECT_EQ(needed, 26);
 }
 

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 """Runs the commands of pages and compares their output and pictures with those of the pages.
 
-Usage: pages.py ROOT PROGRAMS PAGE... [--write]; one line per difference, exit status 1 if there is any.
+Usage: pages.py ROOT PROGRAMS PAGE... [--write]. Prints a line per difference; exit status 1 if there is any.
 In a page (CONTRIBUTING.md):
-- The blocks ```sh run are one script, which begins in the folder of the package; /tmp is a folder of its own.
-- A block ```yaml to FILE is that file, for the commands after it.
-- A block ```text after a script block is its output on stdout, ```text 2 its first two lines, long ones wrapped.
-- A picture with <!-- of FILE --> after it is FILE, which the script writes; of FILE.html the first screen, by Chromium.
+- The blocks ```sh run are one script, which begins in the folder of the package; /tmp is a temporary folder.
+- A block ```yaml to FILE is the content of FILE for the commands after it.
+- A block ```text after a script shows its output on stdout, with long lines wrapped; ```text 2 shows two lines of it.
+- A picture with <!-- of FILE --> after it shows FILE from the script. For FILE.html it is the first screen in Chromium.
 Text is compared exactly, except for line breaks and spaces. --write updates output and pictures.
 roslaunch needs the environment of the build, as `catkin_generated/env_cached.sh` provides it.
 """

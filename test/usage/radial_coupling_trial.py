@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Diagnoses x of bushes, some of which have a force by the radius of x and y in a form that no element has.
+"""Diagnoses x of bushes, some of which have a force that depends on the radius of x and y in a form of no element.
 
 Usage: radial_coupling_trial.py FOLDER_OF_THE_COMMANDS [--benches 20] [--others 30] [--seed 1]
 
 Each bench has a spring, two Maxwell elements, sliders with a round limit and noise, and is measured in three logs in
 which x, y and z move independently. On coupled benches the radial force stiffens by a power, a hyperbolic sine, a
 tangent or a chain that locks, times a smooth random factor of 10 to 30 %; half of their models have no stiffening, the
-others have that of each direction alone. Other benches lack something else or nothing. The trial fails if
-radial_coupling is named first on fewer than nine in ten coupled benches, or at all on another one.
+others stiffen in each direction separately. Other benches lack another effect or none. The trial fails if
+radial_coupling is named first on fewer than nine in ten coupled benches, or at all on another bench.
 """
 import argparse
 import concurrent.futures

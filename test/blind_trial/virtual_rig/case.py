@@ -120,7 +120,7 @@ def draw_model(rng, effects):
 
 
 def wrong_specification(rng, model, s, spread):
-    """Return a specification with a solution whose values are off by up to `spread`, their factors, and the base."""
+    """Return a solvable specification with values off by up to `spread`, the factors of the values, and its base."""
     for _ in range(200):
         factors = {k: float(np.exp(rng.choice([-1, 1]) * rng.uniform(0.2, 1.0) * math.log1p(spread)))
                    for k in s if k not in ("maxwell_elements", "nominal_amplitude")}
