@@ -9,7 +9,7 @@
 namespace rubber_suspension::diagnosis {
 
 constexpr double kNoise = 0.01;    // relative noise of the complex stiffness in a good laboratory
-constexpr int kMostCycles = 2000;  // cycles after which a loop counts as settled
+constexpr int kMostCycles = 2000;  // largest number of cycles until a loop is settled
 
 inline io::ComponentDescription bush(const std::string& model, const std::string& more = "") {
   return componentOf("components:\n  bush:\n    " + model + "\n" + more);

@@ -143,7 +143,7 @@ TEST(TableDiagnosis, RefusesWhatIsNotInTheList) {
       << found.sentence;
 }
 
-// About a preload, an uneven spring also has an even part.
+// About a preload, a spring with an odd law also has an even part.
 TEST(TableDiagnosis, TakesRowsAboutMeanDisplacements) {
   const component::Component truth = with(kZener, "{type: progressive_stiffness, cubic: 3.0e10}").makeComponent();
   Laboratory laboratory(1);

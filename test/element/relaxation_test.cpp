@@ -13,7 +13,7 @@ void expectExact(double x) {
   const element::Relaxation relaxation = element::Relaxation::over(x);
   const long double decay = std::exp(-static_cast<long double>(x));
   const long double mean = -std::expm1(-static_cast<long double>(x)) / x;
-  // If the decay is small, 1 minus the relaxed share is exact up to the rounding of 1.
+  // A small decay factor is 1 minus the relaxed share, so it has the absolute rounding error of 1.
   EXPECT_NEAR(static_cast<double>(relaxation.decay - decay), 0.0, kStated * std::max(0.5, static_cast<double>(decay)))
       << x;
   EXPECT_NEAR(static_cast<double>(relaxation.mean / mean - 1.0L), 0.0, kStated) << x;

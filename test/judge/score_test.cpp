@@ -74,7 +74,7 @@ TEST(LogWeights, AreThoseOfTheEquations) {
               1e-9);
 }
 
-// A departure from the sheet costs as in Student's t with its chi^2, a small effect by the logarithm of its share.
+// The cost of a departure from the data sheet is that of Student's t. A small effect has a cost by its share.
 TEST(LogWeights, CostDeparturesFromTheSheetAndSmallShares) {
   Evidence evidence = unexplained(1, 1, 0.1, 50);
   explain(evidence, 0, 0.02);

@@ -45,7 +45,7 @@ TEST(Whitener, Whitens) {
     const Whitener whitener(estimateNoise(noise, mask), mask);
     const Eigen::VectorXd white = whitener(noise).col(0);
     EXPECT_EQ(white[3010], 0.0);
-    // The estimates have standard deviations of 0.007 and 0.01. The limits are wider for the filter with its 30 dB.
+    // The estimates have standard deviations of 0.007 and 0.01. Low-pass filtered noise needs the wider limits.
     EXPECT_NEAR(std::sqrt(white.squaredNorm() / static_cast<double>(mask.count())), 1.0, 0.05) << kind;
     EXPECT_NEAR(white.head(kCount - 1).dot(white.tail(kCount - 1)) / white.squaredNorm(), 0.0, 0.06) << kind;
   }
