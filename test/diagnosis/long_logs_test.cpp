@@ -88,7 +88,7 @@ TEST(LeadIn, IsMeansWhereTheseHoldTheMotion) {
   EXPECT_NEAR(of_means.dt, 0.01, 1e-12);
   const std::vector<double> z = motion(10025, 1000.0);
   for (std::size_t i = 0; i < 1000; ++i) {
-    const auto begin = z.begin() + static_cast<std::ptrdiff_t>(15 + 10 * i);  // 5 samples fill no step
+    const auto begin = z.begin() + static_cast<std::ptrdiff_t>(15 + 10 * i);  // the first 5 are no full step
     ASSERT_NEAR(of_means.displacement[i], std::accumulate(begin, begin + 10, 0.0) / 10.0, 1e-12);
   }
 }

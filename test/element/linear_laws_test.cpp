@@ -189,7 +189,7 @@ TEST(Creep, ForceFallsLinearlyInTheLogarithmOfTime) {
   for (double next : {1.0, 10.0, 100.0, 1e3, 1e4}) {
     const double force = driver.step(next - time, 1e-3);
     if (time > 0.0) {
-      // A spectrum S constant up to T = 1e5 s gives S z/ln 10 (E1(t1/T) - E1(t2/T)). The law ripples about it.
+      // A spectrum S constant up to T = 1e5 s gives S z/ln 10 (E1(t1/T) - E1(t2/T)), E1 being the exponential integral.
       const double spectrum =
           (boost::math::expint(1, time / 1e5) - boost::math::expint(1, next / 1e5)) / std::log(10.0);
       EXPECT_NEAR(before - force, kPerDecade * 1e-3 * spectrum, 5e-3 * kPerDecade * 1e-3) << next;

@@ -185,7 +185,7 @@ TEST(Refusal, EveryIntervalNamedHoldsSolutions) {
     EXPECT_FALSE(intervals.empty()) << message;
     for (const Interval& interval : intervals) {
       if (interval.key == "maxwell_elements") {
-        continue;  // takes whole numbers
+        continue;  // must be an integer
       }
       const double width = interval.upper - interval.lower;
       for (const double part : {0.001, 0.5, 0.999}) {

@@ -323,7 +323,8 @@ class Answers(Attack):
                 tcpros.next_message(answers)
             writer.close()
             self.network.master.unregisterPublisher(tcpros.CALLER, "/left/displacement", self.network.slave_uri)
-            # Until the master reports its end, the node reconnects to the old publisher, and could reach the next one.
+            # Until the master reports the end of the old publisher, the node reconnects to it, and may reach the next
+            # one.
             tcpros.until(lambda: "/left/displacement" not in [link[4] for link in api.getBusInfo(tcpros.CALLER)[2]],
                          "the node to leave a publisher")
         report = self.network.subscribe(NODE, "/diagnostics")  # now, because earlier reports would queue up
