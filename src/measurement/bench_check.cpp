@@ -626,8 +626,9 @@ std::optional<BenchCorrection> correctionOf(const RigFinding& finding,
     return BenchCorrection{"force times -1", corrected};
   }
   if (finding.finding == finding::kUnitFactor || finding.finding == finding::kPeakToPeak) {
-    const auto unit = assumedFactorOf(finding.value);
-    const double factor = unit ? unit->factor : finding.value > 1.0 ? kPeakToPeak : 1.0 / kPeakToPeak;
+    const double of_unit = unitFactorOf(finding.value, HUGE_VAL, HUGE_VAL)->factor;  // the nearest of all
+    const double of_peaks = finding.value > 1.0 ? kPeakToPeak : 1.0 / kPeakToPeak;
+    const double factor = finding.finding == finding::kUnitFactor ? of_unit : of_peaks;
     corrected.force /= factor;
     return BenchCorrection{fmt::format("force divided by {:.4g}", factor), corrected};
   }
