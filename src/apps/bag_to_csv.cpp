@@ -36,9 +36,9 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       argc, argv,
       {"bag_to_csv",
-       "Writes one component's displacement and, if recorded, measured force of a bag as a CSV log.",
+       "Writes the displacement and, if recorded, the measured force of one component of a bag as a CSV log.",
        {{"The only component of a bag", "--log run.bag --output run.csv"},
-        {"One of several", "--log run.bag --component bush --output bush.csv"},
+        {"One of several components", "--log run.bag --component bush --output bush.csv"},
         {"For another program", "--log run.bag --output /dev/stdout | head"}}},
       convert);
 }

@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
       {"benchmark",
        "Measures the time that forces, an estimation and a diagnosis take on this machine, and prints a Markdown "
        "table. The component is a spring, five Maxwell elements and friction, sampled at 1 kHz. Times are CPU times of "
-       "the thread, on which other programs have little influence; those of the diagnosis are wall-clock times.",
+       "the thread, on which other programs have little influence; the times of the diagnosis are wall-clock times.",
        {{"In a few seconds", "--quick"},
         {"Time and memory for a log of five minutes, of which all samples are searched", "--long-log 300"},
         {"Time and memory for a log of one hour, of which only excerpts are searched", "--long-log 3600"}}},

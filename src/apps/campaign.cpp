@@ -69,12 +69,13 @@ struct Options {
         Option("--output", output, "FOLDER", "folder of the campaign to create; for make").standsFor([this] {
           return madeFiles();
         }),
-        Option("--shard", shard, "I/N", "run only every N-th job, starting with the I-th, such as 3/8; for run").rare(),
+        Option("--shard", shard, "I/N", "I/N, such as 3/8: run only every N-th job, starting with the I-th; for run")
+            .rare(),
         Option("--threads", threads, "COUNT",
-               "run, submit: number of parallel jobs, with submit in each array task; make: number of threads")
+               "number of parallel jobs (run, or each array task of submit) or of threads (make)")
             .within(1, 1024),
         Option("--job-minutes", job_minutes, "MINUTES",
-               "time limit of a job, for run and submit: a slower job is stopped and counts as failed; 0: none")
+               "time limit of a job, for run and submit: a slower job is stopped and counts as failed; 0: no limit")
             .rare()
             .within(0, 1000000),
         Option("--retry-failed", run.retry_failed, "run failed jobs again; for run").rare(),
@@ -83,11 +84,11 @@ struct Options {
             .rare()
             .within(0.001, 10000),
         Option("--max-running", slurm.max_running, "COUNT",
-               "largest number of parallel array tasks; for submit; default: all")
+               "largest number of parallel array tasks; for submit; default: all tasks")
             .rare()
             .within(1, 1000000),
         Option("--partition", slurm.partition, "NAME",
-               "partition of the cluster; for submit; default: that of the cluster")
+               "partition of the cluster; for submit; default: the default partition of the cluster")
             .rare(),
         Option("--dry-run", dry_run, "print the script of the job array without submitting it").rare()};
     options.needs({"--jobs", "--output"}, {"task make"});
@@ -180,7 +181,7 @@ int collect(const Options& options) {
   const campaign::CollectSummary summary =
       during("reading the records of " + options.folder, [&] { return campaign::collect(manifest, options.folder); });
   for (const std::string& problem : summary.broken) {
-    printNote("campaign", problem + "; counted as missing");
+    printNote("campaign", problem + "; this job counts as missing");
   }
   if (!summary.page_problem.empty()) {
     printWarning("campaign", summary.page_problem);

@@ -45,15 +45,19 @@ OptionTable Options::table() {
           .required(),
       Option("--log", log, "FILE", "log to play: text (CSV), .mat, HDF5, RPC III or .bag").required().reads(),
       Option("--tolerance", tolerance, "RATIO",
-             "largest gap that passes: RMS of the difference over the standard deviation of the reference")
+             "largest gap with which the test passes; RMS of the force difference over the standard deviation of the "
+             "reference")
           .required()
           .within(0, 1e9),
       Option("--config", config, "FILE",
              "component file whose simulated force is the reference (default: the force measured in the log)")
           .reads(),
-      Option("--config-component", config_component, "NAME", "name in that file, if it differs from --component")
+      Option("--config-component", config_component, "NAME",
+             "name of the component in the file of --config, if it differs from --component")
           .rare(),
-      Option("--skip", skip, "SECONDS", "start of the log to play without comparison").rare().within(0, 1e9),
+      Option("--skip", skip, "SECONDS", "time at the start of the log that is played but not compared")
+          .rare()
+          .within(0, 1e9),
       agreement.table(),
       playerTable(play, "bench"),
       Option("--reset", reset, "SERVICE", "service (std_srvs/Trigger) to call before the first sample").rare(),
@@ -61,7 +65,7 @@ OptionTable Options::table() {
       Option("--gtest_output", report, "xml:FILE", "report to write; set by rostest").rare().standsFor([this] {
         return Files{{}, {{"--gtest_output", reportPath(*this), io::file_kind::test_report}}};
       }),
-      Option("--text", text, "has no effect; rostest --text sets it").rare(),
+      Option("--text", text, "accepted because rostest --text passes it; without effect").rare(),
       log_options.table()};
   return options.needs({"--config-component"}, {"--config"});
 }
@@ -152,12 +156,12 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       line.argc(), line.argv(),
       {"check_force",
-       "Plays a log through a bench and passes if its forces agree with the force measured in the log, or "
-       "with that of a component file; a test node for rostest.",
+       "Plays a log through a bench and passes if its forces agree with the forces measured in the log or simulated "
+       "from a component file; a test node for rostest.",
        {{"Against the force in the log", "--component bush --log log.csv --tolerance 0.05"},
         {"Against a component file, to the last bit",
          "--component bush --log log.csv --config component.yaml --tolerance 0"},
-        {"By the total of ISO/TS 18571 as well, without the first two seconds",
+        {"Also with a limit of the total of ISO/TS 18571, without the first two seconds",
          "--component bush --log log.csv --tolerance 0.2 --limits iso18571=0.8 --json agreement.json --skip 2"}}},
       [&](Options& options) { return run(line, options); });
 }

@@ -104,8 +104,8 @@ OptionTable DiagnoseOptions::table() {
              "measured logs of one component in the order of recording; text (CSV), .mat, HDF5, RPC III or .bag")
           .readsEachOnce(),
       Option("--plan", plan, "FILE",
-             "instead of --log: displacement programmes (time and displacement only); predicts which effects their "
-             "logs would show, which effects they would confuse, and the smallest size of each that they would show")
+             "instead of --log: displacement programmes (time and displacement only); predicts which effects logs of "
+             "these programmes would show or confuse, and the smallest visible size of each effect")
           .readsEachOnce(),
       Option("--from-table", table_path, "FILE",
              "instead of --log: measured table of stiffness and loss angle; over frequency and amplitude, optionally "
@@ -124,11 +124,12 @@ OptionTable DiagnoseOptions::table() {
              "with --plan: noise of the measured force as a share of its standard deviation")
           .rare()
           .defaultText("0.5 %"),
-      Option("--hold-out", hold_out, "FILE", "logs that take no part in the fit; each starts with a new component")
+      Option("--hold-out", hold_out, "FILE",
+             "logs that take no part in the fit; the component starts as new in each log")
           .readsEachOnce(),
       Option("--rig", rig, "KEY=VALUE",
              "tolerances of the rig, such as force_zero=\"50 N\" or gain=\"1 %\"; errors of this size are not reported "
-             "as effects; as the key `rig:` of a component file"),
+             "as effects; same names and values as in the key `rig:` of a component file"),
       Option("--exclude", exclude, "EFFECT",
              "effects that the design rules out (bonded, dry, no joint), in addition to `excluded_effects:` of the "
              "component file; they are never named, and the report states how probable they would otherwise be")
@@ -150,7 +151,7 @@ OptionTable DiagnoseOptions::table() {
           .rare(),
       Option("--law", law, "LAW",
              "simplest: write only augmented.yaml, in which each effect has the simplest law that fits nearly as well "
-             "as the full one; full: also write augmented_full.yaml with the full laws")
+             "as its full law; full: also write augmented_full.yaml with the full laws")
           .rare()
           .oneOf({"simplest", "full"}),
       plotOption(plot, "loops, residuals and gap").rare(),
@@ -265,7 +266,7 @@ int main(int argc, char** argv) {
   return command_line::runCommand(
       argc, argv,
       {"diagnose",
-       "Finds where a model differs from logs, which effect it lacks, and how far this closes the gap.",
+       "Finds where a model differs from logs, which effect it lacks, and how far this effect closes the gap.",
        {{"Find what a model lacks, from two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
         {"The same, if the force sensor of the rig has a zero error of about 50 N",
          "--config component.yaml --log log.csv --rig force_zero=\"50 N\" --output report"},

@@ -57,8 +57,8 @@ OptionTable Options::table() {
   OptionTable options = {
       Option("--config", config, "FILE", "component file").reads(),
       Option("--data-sheet", data_sheet, "FILE",
-             "data sheet instead of --config; with hardness and shape, a dynamic-to-static ratio, or loss angles at "
-             "two frequencies; prints the component file that follows from it")
+             "data sheet instead of --config; contains hardness and shape, a dynamic-to-static ratio, or loss angles "
+             "at two frequencies; the resulting component file is printed")
           .reads(),
       Option("--component", component, "NAME", "name of the component; default: all components"),
       withoutRigOption(without_rig),
@@ -96,7 +96,7 @@ OptionTable Options::table() {
              "amplitude of the sweep over frequencies, such as '2 mm'")
           .rare(),
       Option("--product", Quantity{&sweeps.product, "m Hz"}, "PRODUCT",
-             "product of amplitude and frequency in the sweep that keeps it constant, such as '8 mm Hz'")
+             "product of amplitude and frequency in the sweep with a constant product, such as '8 mm Hz'")
           .rare(),
       Option("--points", sweeps.points, "COUNT", "number of points in each sweep").rare().within(2, 10000),
       Option("--from-log", logs, "FILE",
@@ -107,8 +107,8 @@ OptionTable Options::table() {
              "measured table of stiffness and loss angle, to identify the parameters")
           .reads(),
       Option("--series", series, "SERIES",
-             "with --from-table: series of elements to fit in place of the component's own elements; it covers the "
-             "frequencies of the master curve, to which the temperatures of the table are shifted")
+             "with --from-table: series of elements to fit in place of the component's own elements; the series covers "
+             "the frequencies of the master curve, into which the rows of all temperatures are shifted")
           .rare()
           .oneOf({"prony", "springpot"}),
       Option("--hold", identification.held, "ELEMENT.PARAMETER",
@@ -118,7 +118,7 @@ OptionTable Options::table() {
           .rare()
           .within(1, 1000),
       Option("--output", output, "FILE",
-             "component file to write; with the parameters that follow from --from-log, --from-table or --data-sheet")
+             "component file to write; contains the parameters found with --from-log, --from-table or --data-sheet")
           .writes(io::file_kind::component_file),
       log_options.acceptUnits(),
       log_options.table()};
@@ -253,7 +253,7 @@ void writeFiles(const Options& options, const std::vector<io::ComponentDescripti
     for (const io::ComponentDescription& component : components) {
       parts.push_back(command::linearPartOf(component));
       const command::LinearPart& part = parts.back();
-      for (const auto& [what, types] : {std::pair(": elements that are linearised by their slope: ", part.tangents),
+      for (const auto& [what, types] : {std::pair(": elements that are linearised with their slope: ", part.tangents),
                                         std::pair(": elements that the linear part omits: ", part.left_out)}) {
         if (!types.empty()) {
           printNote("estimate", part.component + what + log::join(types));
@@ -269,7 +269,7 @@ void checkStateSpace(const std::string& path, std::size_t components) {
   element::refuseIf<UsageError>(
       !path.empty() && !log::endsWith(path, ".json") && !(log::endsWith(path, ".mat") && components == 1),
       "--state-space: {} cannot hold {} component{}; accepted: FILE.json, or FILE.mat for a single component "
-      "(--component NAME, and one of --models)",
+      "(--component NAME, and a single model of --models)",
       path, components, components == 1 ? "" : "s");
 }
 

@@ -54,7 +54,7 @@ struct Options {
         Option("--frequency", Quantity{&bushing.frequency, "Hz"}, "HZ",
                "frequency of the sine that gives the damping; default: nominal_frequency"),
         Option("--amplitude", Quantity{&along.amplitude, "m"}, "METRES",
-               "amplitude of this sine, such as '1 mm'; default: nominal_amplitude, or 1 mm"),
+               "amplitude of the sine that gives the damping, such as '1 mm'; default: nominal_amplitude, or 1 mm"),
         Option("--largest-displacement", Quantity{&along.largest, "m"}, "METRES",
                "largest displacement of the force curves to either side, such as '10 mm' (default: 5 amplitudes)")
             .rare(),

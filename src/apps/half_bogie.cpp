@@ -82,15 +82,17 @@ int run(ros_interface::RosCommandLine& line, const Options& options) {
   const History reference = runVariableStep(scene, components, {});
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   std::string text = fmt::format(
-      "{} steps of {:g} ms in {:.3g} s\ndifference of displacements from variable steps without delay: {}\n",
+      "{} steps of {:g} ms in {:.3g} s\ndifference of the displacements from a simulation with variable steps and "
+      "without delay: {}\n",
       scene.steps(), 1e3 * options.time_step, elapsed.count(),
       percentages(kind, displacementDifference(components, history, reference)));
   if (kind == Kind::struts) {
     const double delay = loopDelay(options.time_step, options.delay);
     const History delayed =
         runVariableStep(scene, loadBushes(kind, options.config, {{"time_delay", {{"delay", {delay}}}}}), {});
-    text += fmt::format("difference of displacements from variable steps with a delay of {:g} ms: {}\n", 1e3 * delay,
-                        percentages(kind, displacementDifference(components, history, delayed)));
+    text += fmt::format(
+        "difference of the displacements from a simulation with variable steps and a delay of {:g} ms: {}\n",
+        1e3 * delay, percentages(kind, displacementDifference(components, history, delayed)));
   }
   simulating.reset();
   std::cout << text;

@@ -56,8 +56,8 @@ OptionTable Options::recordTable() {
           .writes(io::file_kind::bag),
       plotOption(plot, "forces over time and displacement"),
       Option("--folder", folder, "FOLDER",
-             "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; a folder "
-             "with earlier records is kept, and this run uses the next one: RUN_2 after RUN_1, NAME_2 after NAME")};
+             "folder for <component>_force.csv, <component>_gap.csv and <component>.bag of every component; if the "
+             "folder has earlier records, this run writes into the next one: RUN_2 after RUN_1, NAME_2 after NAME")};
 }
 
 OptionTable Options::table() {
@@ -72,19 +72,22 @@ OptionTable Options::table() {
       recordTable(),
       playerTable(play, "node"),
       Option("--rotation", rotation, "MEASURE",
-             "for logs with poses of components of six directions (columns x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg in "
-             "any unit, or a bag with COMPONENT/pose): measure of the rotations, `vector` or `cardan`, as in the "
-             "component file")
+             "measure of the rotations, `vector` or `cardan`, as in the component file; for logs with poses of "
+             "components of six directions (columns x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg in any unit, or a bag "
+             "with COMPONENT/pose)")
           .rare()
           .oneOf({"vector", "cardan"}),
       Option("--loop", passes, "COUNT",
-             "passes through the logs, 0: until interrupted; time continues and the component keeps its state"),
+             "number of passes through the logs (0: until interrupted); from pass to pass the time continues and the "
+             "component keeps its state"),
       Option("--step", step, "COUNT",
-             "play step by step: samples of each component per call of the service ~step; ~pause with false resumes")
+             "play step by step: number of samples of each component that each call of the service ~step plays; a call "
+             "of ~pause with false resumes the continuous playback")
           .rare(),
       Option("--paused", paused, "start paused; the service ~pause with false starts the playback").rare(),
-      Option("--listeners", play.listeners, "COUNT",
-             "number of subscribers of <component>/measured_force to wait for, besides the node that serves it")
+      Option(
+          "--listeners", play.listeners, "COUNT",
+          "number of subscribers of <component>/measured_force to wait for, besides the node that serves the component")
           .rare()
           .within(0, 100),
       Option("--reset", reset, "SERVICE",
@@ -136,8 +139,9 @@ ros_interface::BenchTrack readTrack(const Options& options, std::size_t i) {
   track.log = options.log_options.read("play_log", path, track.component);
   track.paths = recordPaths(options, track.component);
   if (track.log.force.empty()) {
-    element::refuseIf<UsageError>(!options.gap_output.empty(),
-                                  "--gap has no effect: {} has no measured force; accepted: without it", path);
+    element::refuseIf<UsageError>(
+        !options.gap_output.empty(),
+        "--gap has no effect: {} has no measured force; accepted: a log with a measured force, or no --gap", path);
     track.paths.gaps.clear();
   }
   return track;

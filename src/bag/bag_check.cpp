@@ -80,8 +80,8 @@ class BagChecker {
   std::string take(std::uint64_t count) {
     if (count > size_ - position_) {
       throw log::LogError(
-          fmt::format("{}: the bag is cut off at byte {}: {} bytes should follow byte {}, and {} do; rosbag reindex "
-                      "recovers the complete part",
+          fmt::format("{}: the bag is cut off at byte {}: {} bytes should follow byte {}, but only {} do; rosbag "
+                      "reindex recovers the complete part",
                       path_, size_, count, position_, size_ - position_));
     }
     std::string bytes(count, '\0');
@@ -118,7 +118,7 @@ class BagChecker {
   Number field(const Fields& fields, const std::string& name) const {
     const auto found = fields.find(name);
     if (found == fields.end() || found->second.size() != sizeof(Number)) {
-      fail(fmt::format("a record has no {} of {} bytes", name, sizeof(Number)));
+      fail(fmt::format("a record has no field {} of {} bytes", name, sizeof(Number)));
     }
     return numberAt<Number>(found->second.data());
   }
@@ -157,7 +157,8 @@ class BagChecker {
   void checkBagHeader(const Fields& fields) {
     index_ = field<std::uint64_t>(fields, "index_pos");
     if (index_ == 0) {
-      throw log::LogError(fmt::format("{}: the bag has no index, it was not closed; run rosbag reindex", path_));
+      throw log::LogError(
+          fmt::format("{}: the bag has no index, because it was not closed; run rosbag reindex", path_));
     }
     const auto encryptor = fields.find("encryptor");
     if (encryptor != fields.end() && !encryptor->second.empty()) {
@@ -201,9 +202,10 @@ class BagChecker {
     if (kind == "lz4") {
       return decompressBy<rosbag::LZ4Stream>(data);
     }
-    fail(fmt::format(
-        "a chunk of {} bytes states a size of {}; accepted: its own size, or a chunk compressed by bz2 or lz4",
-        data.size(), chunk_size_));
+    fail(
+        fmt::format("a chunk of {} bytes states a size of {}; accepted: the size of the chunk itself, or a chunk "
+                    "compressed with bz2 or lz4",
+                    data.size(), chunk_size_));
   }
 
   template <class Stream>

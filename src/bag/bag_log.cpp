@@ -56,12 +56,12 @@ std::string topicOf(const std::string& wanted, const rosbag::Bag& bag, const std
   const std::set<std::string> topics = topicsEndingIn(bag, end);
   if (topics.empty()) {
     const std::set<std::string> others = topicsEndingIn(bag, wanted);
-    const std::string cure = wanted != kDisplacement
-                                 ? ""
-                                 : fmt::format(
-                                       "; accepted: --columns displacement=/TOPIC/FIELD force=/TOPIC/FIELD, of "
-                                       "its topics {}",
-                                       fmt::join(topicsEndingIn(bag, ""), ", "));
+    const std::string cure =
+        wanted != kDisplacement
+            ? ""
+            : fmt::format(
+                  "; accepted: --columns displacement=/TOPIC/FIELD force=/TOPIC/FIELD, where /TOPIC is one of {}",
+                  fmt::join(topicsEndingIn(bag, ""), ", "));
     throw log::LogError(fmt::format(
         "{}: no topic ends in {}; the bag has {}", path, end,
         others.empty() ? "no " + wanted.substr(1) + " at all" + cure : fmt::format("{}", fmt::join(others, ", "))));
@@ -94,7 +94,7 @@ void readMessages(const rosbag::Bag& bag, const std::string& path, const std::st
   for (const rosbag::MessageInstance& instance : view) {
     const auto message = instance.instantiate<Message>();
     if (!message) {
-      throw log::LogError(fmt::format("{}: {} has type {} of another definition or name; accepted: {}", path, topic,
+      throw log::LogError(fmt::format("{}: {} has type {}, whose name or definition differs; accepted: {}", path, topic,
                                       instance.getDataType(), ros::message_traits::datatype<Message>()));
     }
     take({static_cast<std::int64_t>(message->header.stamp.toNSec()),
@@ -181,7 +181,7 @@ void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate
   if (stamped.size() < all) {
     keepOnly(series, stamped);
     notes.push_back(
-        fmt::format("{}: {} of {} messages have the stamp 0: left out", channel.topic, all - stamped.size(), all));
+        fmt::format("{}: {} of {} messages have the stamp 0: omitted", channel.topic, all - stamped.size(), all));
   }
   std::vector<std::size_t> order(series.stamp.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -198,8 +198,8 @@ void orderByStamps(Channel& channel, const std::string& path, bool may_have_rate
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return series.stamp[a] < series.stamp[b]; });
     keepOnly(series, order);
-    notes.push_back(fmt::format("{}: {} of {} messages stand behind later ones: taken by their stamps", channel.topic,
-                                overtaken, series.stamp.size()));
+    notes.push_back(fmt::format("{}: {} of {} messages follow messages with later stamps: sorted by their stamps",
+                                channel.topic, overtaken, series.stamp.size()));
   }
   checkIncreasing(series, path, channel.topic, cureOf(series, may_have_rate));
 }
@@ -213,10 +213,11 @@ void setStamps(std::vector<Channel>& channels, const std::string& path, const lo
   const bool paired = forces == 0 || forces == displacement.series.stamp.size();
   if (format.rate) {
     element::refuseIf<log::LogError>(!paired,
-                                     "{}: --sampling-rate: {} messages on {}, {} on {}; accepted: as many of each",
-                                     path, forces, force.topic, displacement.series.stamp.size(), displacement.topic);
-    notes.push_back(fmt::format("the stamps are replaced by --sampling-rate {:g}{}", *format.rate,
-                                channels[2].series.stamp.empty() ? "" : "; the temperature, without any, is left out"));
+                                     "{}: --sampling-rate: {} messages on {}, {} on {}; accepted: equal numbers", path,
+                                     forces, force.topic, displacement.series.stamp.size(), displacement.topic);
+    notes.push_back(
+        fmt::format("the stamps are replaced by --sampling-rate {:g}{}", *format.rate,
+                    channels[2].series.stamp.empty() ? "" : "; the temperature, whose times are unknown, is omitted"));
     channels[2].series = {};
     return;
   }
@@ -229,7 +230,7 @@ void setStamps(std::vector<Channel>& channels, const std::string& path, const lo
     }
   }
   if (format.by_receipt) {
-    notes.emplace_back("times are those of receipt");
+    notes.emplace_back("the times of receipt are used");
   }
 }
 
@@ -253,7 +254,8 @@ Series heldAt(const std::vector<std::int64_t>& stamps, const Channel& measured, 
     held.value.push_back(measured.series.value[finite[j]]);
   }
   if (early > 0) {
-    notes.push_back(fmt::format("{}: {} samples before the first temperature take that one", measured.topic, early));
+    notes.push_back(
+        fmt::format("{}: {} samples before the first temperature get the first temperature", measured.topic, early));
   }
   return held;
 }
@@ -408,8 +410,8 @@ log::Log readNamedFields(const rosbag::Bag& bag, const std::string& path, const 
   const auto field = [&](log::Quantity quantity) { return format.of[static_cast<std::size_t>(quantity)].column; };
   if (field(log::Quantity::displacement).empty() || !field(log::Quantity::time).empty()) {
     throw log::LogError(path +
-                        ": --columns of a bag; accepted: displacement=/TOPIC/FIELD and, where they are there, "
-                        "force and temperature; time is that of the messages");
+                        ": --columns lacks the displacement or names a time; accepted for a bag: "
+                        "displacement=/TOPIC/FIELD, optionally with force and temperature; the messages give the time");
   }
   std::vector<Channel> channels;
   for (const auto quantity : {log::Quantity::displacement, log::Quantity::force, log::Quantity::temperature}) {

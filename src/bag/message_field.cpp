@@ -289,7 +289,7 @@ std::string topicOf(const rosbag::Bag& bag, const std::string& field) {
   }
   if (best.empty()) {
     throw std::runtime_error(
-        fmt::format("{}: no topic of the bag; accepted: one of {} and a field, as in /ft/wrench.force.z",
+        fmt::format("{}: not a topic of the bag; accepted: one of {} with a field, as in /ft/wrench.force.z",
                     log::quoted(field), fmt::join(topics, ", ")));
   }
   return best;
@@ -314,8 +314,8 @@ Series readMessages(const rosbag::Bag& bag, const std::string& field) {
     const auto value = walk.number(steps);
     if (!value) {
       throw std::runtime_error(
-          fmt::format("message {}: no number there; accepted: a field that is one, with [NUMBER] or "
-                      "[NAME] where it is an array",
+          fmt::format("message {}: the field has no number; accepted: a field that is a number, with [NUMBER] or "
+                      "[NAME] for an element of an array",
                       series.value.size() + 1));
     }
     series.value.push_back(*value);

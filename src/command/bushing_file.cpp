@@ -173,8 +173,9 @@ std::string altairBlocks(const std::vector<Direction>& directions, const Bushing
 std::string lossOf(const std::string& type) {
   static const std::set<std::string> said = {"spring",       "dashpot",   "progressive_stiffness",
                                              "spring_table", "bump_stop", "asymmetric_stiffness"};
-  return said.count(type) > 0 ? ""
-                              : type + ": the file contains only its force at rest and its loss under this one sine";
+  return said.count(type) > 0
+             ? ""
+             : type + ": of this element the file contains only the force at rest and the loss under this one sine";
 }
 
 // Returns a note that compares the component under the sine with the static curve and the dashpot of the file.
@@ -187,8 +188,8 @@ std::string comparison(const Direction& direction, const BushingFileOptions& opt
                              : fmt::format("{:.4g} kN/mm", 1e-6 * std::abs(value));
   };
   return fmt::format(
-      "{}: at {:g} Hz and {:g} {} the component has {} and {:.3g} degrees, but the file {} and {:.3g} degrees: with a "
-      "static curve and a damping constant it depends on neither frequency nor amplitude",
+      "{}: at {:g} Hz and {:g} {} the component has {} and {:.3g} degrees, but the file {} and {:.3g} degrees: its "
+      "static curve and its damping constant depend on neither frequency nor amplitude",
       component::toString(direction.direction), options.frequency, direction.lengths() * amplitude,
       direction.turns() ? "degrees" : "mm", stiffness(direction.measured), kDegrees * std::arg(direction.measured),
       stiffness(of_file), kDegrees * std::arg(of_file));
@@ -202,7 +203,8 @@ std::string couplingNote(const Bushing& bushing, const BushingFileOptions& optio
                                 bushing.rotation != bushing.translation;
   return !lost   ? ""
          : adams ? "coupling: the file cannot represent it; each direction has a curve of its own"
-                 : fmt::format("coupling: the file has one for forces and moments, '{}'", couplingWord(bushing));
+                 : fmt::format("coupling: the file has a single coupling for forces and moments, '{}'",
+                               couplingWord(bushing));
 }
 
 std::vector<std::string> notesOn(const std::vector<Direction>& directions, const Bushing& bushing,

@@ -71,8 +71,9 @@ class SheetReader : public io::ElementReader {
 };
 
 std::string convert(const Sheet& sheet) {
-  element::refuseIf(sheet.load.has_value() != (sheet.values.count("shore_a") != 0),
-                    "load: belongs to shore_a; accepted: both (load: compression or shear) or neither");
+  element::refuseIf(
+      sheet.load.has_value() != (sheet.values.count("shore_a") != 0),
+      "load and shore_a: only one of them is given; accepted: both (load: compression or shear) or neither");
   const estimation::DataSheetResult result = estimation::specificationFromDataSheet(
       sheet.model, sheet.load.value_or(estimation::LoadDirection::compression), sheet.values);
   const io::ComponentDescription description(sheet.component, result.model, result.specification);

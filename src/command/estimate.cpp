@@ -87,12 +87,12 @@ void addWholeNote(EstimateReport& report, const component::Component& component)
     return;
   }
   const auto angle = estimation::specifiedLossAngle(specification);
-  report.notes.push_back(
-      fmt::format("the specification describes only the base: the whole component has K {:.6g} N/m ({:.6g} specified) "
-                  "and a loss angle of {:.4g} deg{} at {:g} Hz and {:g} mm; with `describes: component` the whole "
-                  "component meets the specification, and `describes: base` suppresses this note",
-                  whole.stiffness, *stiffness, whole.loss_angle * kDegrees,
-                  angle ? fmt::format(" ({:.4g} specified)", *angle * kDegrees) : "", *frequency, 1e3 * amplitude));
+  report.notes.push_back(fmt::format(
+      "the specification describes only the base (no static curve, no added elements): the whole component has K "
+      "{:.6g} N/m ({:.6g} specified) and a loss angle of {:.4g} deg{} at {:g} Hz and {:g} mm; with `describes: "
+      "component` the whole component meets the specification, and `describes: base` suppresses this note",
+      whole.stiffness, *stiffness, whole.loss_angle * kDegrees,
+      angle ? fmt::format(" ({:.4g} specified)", *angle * kDegrees) : "", *frequency, 1e3 * amplitude));
 }
 
 bool allSettled(const EstimateReport& report) {
@@ -136,7 +136,7 @@ std::string specificationText(const estimation::Specification& specification) {
   if (const estimation::StaticCurve* curve = specification.curve()) {
     text += fmt::format("    {:<20} {} points from {:.6g} to {:.6g} m{}\n", "static_curve", curve->displacement.size(),
                         curve->displacement.front(), curve->displacement.back(),
-                        curve->scales ? "; the viscous elements scale with its slope" : "");
+                        curve->scales ? "; the viscous elements scale with the slope of the curve" : "");
   }
   if (!specification.points().empty()) {
     text += fmt::format("    {:<20} {}\n", "points", specification.points().size());
@@ -269,7 +269,7 @@ std::string constantTitle(const std::string& what, const std::string& unit, cons
                           const std::function<double(const EstimateReport&)>& value) {
   for (const EstimateReport& report : reports) {
     if (std::abs(value(report) / value(reports.front()) - 1.0) > 1e-9) {
-      return fmt::format("constant {} of each", what);
+      return fmt::format("constant {} of each component", what);
     }
   }
   return fmt::format("constant {} {:.4g} {}", what, value(reports.front()), unit);
@@ -367,7 +367,8 @@ EstimateReport makeEstimateReport(const io::ComponentDescription& description, c
     report.over_amplitude.push_back(at(sweeps.frequency, amplitude));
   }
   if (!allSettled(report)) {
-    report.notes.push_back("loops marked * or \"settled\": false had not become periodic when the simulation ended");
+    report.notes.push_back(
+        "loops marked with * (in JSON \"settled\": false) were not yet periodic when the simulation ended");
   }
   return report;
 }

@@ -154,7 +154,8 @@ Specification completed(const io::ComponentDescription& description, const Wante
     const bool with_dashpot = wanted.model == Model::maxwell_dashpot;
     const double share = with_dashpot ? 1.0 / 3.0 : 1.0;  // M2's own value would leave no loss for the dashpot
     const double found = share * breakFrequencyByLoss(from);
-    add("break_frequency", found, fmt::format("{:.4g} Hz ({}that of M2)", found, with_dashpot ? "a third of " : ""));
+    add("break_frequency", found,
+        fmt::format("{:.4g} Hz ({}the value of M2)", found, with_dashpot ? "a third of " : ""));
   }
   return from;
 }

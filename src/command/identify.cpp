@@ -262,7 +262,7 @@ fit::Identification identifyFromLogs(const io::ComponentDescription& description
     result.notes.push_back(fmt::format("{}: {}", finding.log, finding.text));
   }
   if (spread) {
-    result.notes.emplace_back("the break frequencies of multi_maxwell are those of the specification");
+    result.notes.emplace_back("the break frequencies of multi_maxwell keep the values of the specification");
   }
   return result;
 }
@@ -286,7 +286,7 @@ std::string toText(const std::string& component, const fit::Identification& resu
       result.residual, 100.0 * result.relative_residual, result.independent_samples);
   text += fmt::format("  {} of {} starting points led to this optimum\n", result.starts_at_best, result.starts);
   for (const fit::UndeterminedDirection& direction : result.undetermined) {
-    text += fmt::format("  not determined: {} (together, these relative changes do not change the force{})\n",
+    text += fmt::format("  not determined: {} (these relative changes, made together, do not change the force{})\n",
                         directionText(direction),
                         std::isfinite(direction.standard_deviation)
                             ? fmt::format(" beyond its noise; standard deviation {:.2g}", direction.standard_deviation)

@@ -163,7 +163,8 @@ class TableReader {
       marks_->requireClear(names_, false);
     } catch (const log::OtherDecimalMark&) {
       refuse(
-          "marks that may be decimal or between thousands before one that is; accepted: one decimal mark throughout");
+          "a decimal mark follows marks that may be decimal marks or thousands separators; accepted: one decimal mark "
+          "throughout");
     } catch (const log::RowError& error) {
       line_ = error.row();
       refuse(error.what());
@@ -267,8 +268,8 @@ class TableReader {
     };
     if (names_.size() > 2 && std::all_of(names_.begin() + 1, names_.end(), is_amplitude)) {
       refuse(
-          fmt::format("{} over amplitudes {} to {}: a matrix, which lacks the loss angle; accepted: a row for each "
-                      "frequency and amplitude, with the columns frequency, amplitude, stiffness, loss angle",
+          fmt::format("{} over amplitudes {} to {}: the table is a matrix, which lacks the loss angle; accepted: a row "
+                      "for each frequency and amplitude, with the columns frequency, amplitude, stiffness, loss angle",
                       log::quoted(names_.front()), log::quoted(names_[1]), log::quoted(names_.back())));
     }
   }
@@ -457,8 +458,8 @@ class TableReader {
   // The model needs the mean displacement of the sine, which the preload alone does not determine.
   void checkPreload(std::map<std::size_t, double>& values) const {
     refuseIf(values[kPreload] != 0.0 && values.count(kMean) == 0,
-             "preload: {:g} N; accepted: 0, or with a column 'mean displacement [m]' that says where the preload holds "
-             "the component",
+             "preload: {:g} N; accepted: 0, or a table with a column 'mean displacement [m]', the displacement under "
+             "the preload",
              values[kPreload]);
   }
 
@@ -496,7 +497,7 @@ class TableReader {
              point.frequency, point.amplitude, point.stiffness, point.loss_angle);
     refuseIf(!std::isfinite(point.mean + point.temperature.value_or(0.0)),
              "mean displacement or temperature: not finite; accepted: numbers");
-    refuseIf(table_.points.size() == kMostRows, "more than {} rows; accepted: that many at most", kMostRows);
+    refuseIf(table_.points.size() == kMostRows, "more than {0} rows; accepted: at most {0}", kMostRows);
     table_.points.push_back(point);
   }
 

@@ -26,7 +26,7 @@ void requireNoShift(const io::ComponentDescription& component, const fit::Measur
   element::refuseIf<std::runtime_error>(
       temperatures && unshifted.makeComponent().shiftsWithTemperature(),
       "{}: column temperature: {} has an element that shifts with temperature; accepted: a table without this column, "
-      "a component with its shift under the key 'temperature', or diagnose --from-table",
+      "a component with the shift in its key 'temperature', or diagnose --from-table",
       source, component.name);
 }
 

@@ -15,7 +15,7 @@ Option withoutRigOption(bool& without_rig) {
 
 OptionTable ComponentOptions::table() {
   return {Option("--config", config, "FILE", "component file").required().reads(),
-          Option("--component", component, "NAME", "name of the component; needed if the file has several"),
+          Option("--component", component, "NAME", "name of the component; needed if the file has several components"),
           withoutRigOption(without_rig)};
 }
 

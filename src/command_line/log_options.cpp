@@ -24,18 +24,20 @@ OptionTable LogOptions::table() {
              "sampling rate of a log without a time column, or instead of stamps that are equal, swapped or rounded")
           .rare(),
       Option("--decimal", decimal_, "MARK",
-             "decimal mark of a text log, . or , (point or comma); for a single column as in force=,")
+             "decimal mark of a text log: . or , (point or comma); force=, sets the mark of a single column")
           .rare(),
-      Option("--segment", segment_, "NUMBER", "which log to read from a file with several, from 1; all: every log")
+      Option("--segment", segment_, "NUMBER",
+             "number of the log to read from a file with several logs, from 1; all: every log")
           .rare(),
       Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
-             "longest time without numbers to interpolate (default: 0.5 if 99 % of the rows have numbers)")
+             "longest time without numbers that is interpolated (default: 0.5 if 99 % of the rows have numbers)")
           .rare(),
       Option("--sentinel", sentinel_, "NUMBER",
              "number that marks missing values, or none (default: a number that recurs far outside all others)")
           .rare(),
       Option("--clock", clock_, "CLOCK",
-             "time of messages in a bag: header: their stamps; receipt: time of recording, if they have no stamps")
+             "times of the messages in a bag: header (their stamps) or receipt (times of recording, for messages "
+             "without stamps)")
           .rare(),
       Option("--large", large_, "also read a compressed file that expands more than a hundred times").rare()};
 }

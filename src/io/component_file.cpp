@@ -300,7 +300,7 @@ class Loader : public SpecificationReader {
     if (const Entry follows = entry["instantaneous"]; follows && loadFlag(follows)) {
       refuse(follows,
              "is true, but a stiffness that follows the motion of another direction would create energy over closed "
-             "loops; accepted: false, so that the factor is that of the configured preload");
+             "loops; accepted: false, with which the factor of the configured preload applies");
     }
     const Entry preload = require(entry, "preload", "a list of loads with units");
     table.factor = loadNumbers(require(entry, "factor", "a list with one factor for each preload"),
@@ -352,7 +352,7 @@ class Loader : public SpecificationReader {
       return element::Range::closed(-reach, reach);
     }
     if (entry.node.size() != 2) {
-      refuse(entry, fmt::format("has {} entries; accepted: a length, or a list of two, the lower one first",
+      refuse(entry, fmt::format("has {} entries; accepted: a length, or a list of two lengths, the lower length first",
                                 entry.node.size()));
     }
     const std::vector<double> ends = loadNumbers(entry, anyNumber("m"));

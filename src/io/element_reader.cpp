@@ -97,8 +97,9 @@ double ElementReader::loadNumber(const Entry& entry, const element::ParameterInf
   if (!parameter.range.contains(value)) {
     const std::string hint = value > 0.0 && value < element::kSmallestNumber
                                  ? fmt::format(", at least {:g} {}", element::kSmallestNumber, parameter.unit)
-                             : parameter.name == "maxwell_elements" && value == 1.0 ? ", or model: maxwell for one"
-                                                                                    : "";
+                             : parameter.name == "maxwell_elements" && value == 1.0
+                                 ? ", or model: maxwell for a single element"
+                                 : "";
     refuse(entry, fmt::format("{} is {}; accepted: {}{}", text, std::isfinite(value) ? "out of range" : "not finite",
                               acceptedIn(unit, parameter), hint));
   }

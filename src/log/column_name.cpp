@@ -176,8 +176,8 @@ bool isOfMaterial(const std::string& bare) {
 std::string materialHint(const std::vector<std::string>& columns) {
   return columns.empty() ? ""
                          : fmt::format(
-                               "; {}: of a material, which is a stiffness and a displacement once the shape "
-                               "(area, height) is known",
+                               "; {}: a quantity of the material, from which the shape (area, height) gives a "
+                               "stiffness or a displacement",
                                join(columns));
 }
 

@@ -218,8 +218,7 @@ class ColumnReader {
   void requireLength(const Column& column) const {
     if (column.found() && lengthOf(column) != samples()) {
       throw std::runtime_error(
-          fmt::format("{} has {} values, {} has {}; accepted: as many in each column, or a time of "
-                      "its own in the group",
+          fmt::format("{} has {} values, {} has {}; accepted: equal numbers, or a separate time in the group",
                       column.name, lengthOf(column), columns_.displacement.name, samples()));
     }
   }

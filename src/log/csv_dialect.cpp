@@ -222,7 +222,7 @@ bool isNumberField(std::string_view text) {
 
 HeaderFinder::HeaderFinder(const LogFormat& format)
     : looks_like_header_([format](const std::vector<ColumnName>& names) { return looksLikeHeader(names, format); }),
-      accepted_("the names of the columns, or their order by --columns time displacement force"),
+      accepted_("the names of the columns, or their order with --columns time displacement force"),
       numbers_(numbersToldIn(format)) {}
 
 std::optional<CsvHeader> HeaderFinder::add(const TextLine& line) {

@@ -146,9 +146,9 @@ class CsvLogReader {
       const bool one_run = restarts_ + 1 == segments_.size() && restart_rate_ > 0.0;
       throw LogError(fmt::format(
           "{}: {}{}", path_, error.what(),
-          one_run
-              ? fmt::format(", because the time restarts; or --sampling-rate {:.6g} if they are one log", restart_rate_)
-              : ""));
+          one_run ? fmt::format(", because the time restarts; if all parts are one log, use --sampling-rate {:.6g}",
+                                restart_rate_)
+                  : ""));
     }
   }
 
@@ -240,7 +240,7 @@ class CsvLogReader {
   void endSegment(bool another_follows) {
     const bool wanted = isWanted();
     element::refuseIf<std::runtime_error>(segments_.size() == kMaximumSegments,
-                                          "more than {} segments; accepted: that many at most", kMaximumSegments);
+                                          "more than {0} segments; accepted: at most {0}", kMaximumSegments);
     segments_.push_back(fmt::format("lines {} to {}{}", first_row_, last_row_, border_));
     // If the format selects no segment, a file with several segments is refused after all of them have been read.
     if (!wanted || (format_.segment == 0 && another_follows)) {
@@ -399,7 +399,7 @@ class CsvLogReader {
 
   void takeRow() {
     if (statistics_.count > 0) {
-      throw RowError(statistics_.first, "there is a row of statistics with data below it; accepted: rows of numbers");
+      throw RowError(statistics_.first, "data follow this row of statistics; accepted: rows of numbers");
     }
     blank_line_ = 0;
     first_row_ = first_row_ == 0 ? line_ : first_row_;
@@ -407,8 +407,8 @@ class CsvLogReader {
     if (!isWanted() && log_.size() >= kLogBlock) {
       log_ = Log();  // the samples belong to a segment that is not requested
     }
-    if (log_.size() >= kMaximumLogRows) {  // blocks that are passed on never become so large
-      throw std::runtime_error(fmt::format("more than {} rows; accepted: that many at most", kMaximumLogRows));
+    if (log_.size() >= kMaximumLogRows) {  // never reached if blocks are passed on
+      throw std::runtime_error(fmt::format("more than {0} rows; accepted: at most {0}", kMaximumLogRows));
     }
     row_.place = line_;
     rules_->take(row_, log_);
@@ -555,8 +555,8 @@ class CsvLogReader {
       log_.notes.push_back(std::move(note));
     }
     if (comments_.count > 0) {
-      log_.notes.push_back(fmt::format("{} comment line{} among the rows, the first line {}: left out", comments_.count,
-                                       pluralOf(comments_.count), comments_.first));
+      log_.notes.push_back(fmt::format("{} comment line{} among the rows, the first in line {}: skipped",
+                                       comments_.count, pluralOf(comments_.count), comments_.first));
     }
     if (repeats_.count > 0) {
       log_.notes.push_back(
@@ -564,7 +564,7 @@ class CsvLogReader {
                       repeats_.count, pluralOf(repeats_.count), repeats_.first));
     }
     if (statistics_.count > 0) {
-      log_.notes.push_back(fmt::format("{} row{} of statistics below the data, the first line {}: left out",
+      log_.notes.push_back(fmt::format("{} row{} of statistics below the data, from line {} on: skipped",
                                        statistics_.count, pluralOf(statistics_.count), statistics_.first));
     }
     if (!reader_->lastLineEnded()) {
@@ -632,7 +632,7 @@ auto withReader(const std::string& path, const LogFormat& format, const Read& re
       return withReader(path, format, read, other.decimal);
     }
     throw LogError(
-        fmt::format("{}:{}: a decimal {} here means that earlier marks may separate thousands; accepted: --decimal {}",
+        fmt::format("{}:{}: with this decimal {}, earlier marks may be thousands separators; accepted: --decimal {}",
                     path, reader->line(), other.decimal == ',' ? "comma" : "point", other.decimal));
   } catch (const LogError&) {
     throw;  // thrown by the consumer of the samples

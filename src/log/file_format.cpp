@@ -28,31 +28,31 @@ struct Mark {
 constexpr const char* kAsAText = "export it as text (CSV)";
 constexpr const char* kArrays =
     "python3 -c \"import numpy as n; d = n.load('LOG.npz'); n.savetxt('LOG.csv', n.c_[d['TIME'], d['DISPLACEMENT'], "
-    "d['FORCE']], delimiter=',', header='time_s,displacement_UNIT,force_UNIT', comments='')\", with the units of the "
-    "arrays for UNIT";
+    "d['FORCE']], delimiter=',', header='time_s,displacement_UNIT,force_UNIT', comments='')\", where UNIT stands for "
+    "the units of the arrays";
 constexpr const char* kArray =
     "python3 -c \"import numpy as n; n.savetxt('LOG.csv', n.load('LOG.npy'), delimiter=',', "
-    "header='time_s,displacement_UNIT,force_UNIT', comments='')\", with the units of the array for UNIT";
+    "header='time_s,displacement_UNIT,force_UNIT', comments='')\", where UNIT stands for the units of the array";
 
 // The packages asammdf, npTDMS, rosbags and mcap in these commands are maintained, but Debian does not contain them.
 constexpr Mark kMarks[] = {
     {"\x1F\x8B"sv, FileFormat::gzip, "gzip within gzip", "gunzip"},
     {"#ROSBAG V"sv, FileFormat::bag, "a ROS bag", "give it the extension .bag"},
-    {"MATLAB "sv, FileFormat::matlab, "a MATLAB file", "give it as it is, not within gzip"},
-    {"\x89HDF\r\n\x1A\n"sv, FileFormat::hdf5, "HDF5", "give it as it is, not within gzip"},
+    {"MATLAB "sv, FileFormat::matlab, "a MATLAB file", "give the file without gzip"},
+    {"\x89HDF\r\n\x1A\n"sv, FileFormat::hdf5, "HDF5", "give the file without gzip"},
     {"MDF     "sv, FileFormat::foreign, "ASAM MDF",
      "pip install asammdf; python3 -c \"from asammdf import MDF; MDF('LOG.mf4').export('csv', 'LOG.csv', "
      "single_time_base=True, add_units=True)\""},
     {"TDSm"sv, FileFormat::foreign, "NI TDMS",
      "pip install npTDMS pandas; python3 -c \"from nptdms import TdmsFile; "
      "TdmsFile.read('LOG.tdms').as_dataframe(time_index=True).to_csv('LOG.csv', index_label='time_s')\""},
-    {"FORMAT\0"sv, FileFormat::rpc, "MTS RPC III", "give it as it is, not within gzip"},
+    {"FORMAT\0"sv, FileFormat::rpc, "MTS RPC III", "give the file without gzip"},
     {"\x89MCAP0\r\n"sv, FileFormat::foreign, "MCAP",
      "pip install mcap-ros1-support; python3 -c \"from mcap_ros1.reader import read_ros1_messages as r; "
      "print('time_s,displacement_m'); [print('%s,%r' % (m.ros_msg.header.stamp.to_sec(), m.ros_msg.displacement)) "
      "for m in r('LOG.mcap', topics=['/NAME/displacement'])]\" > LOG.csv"},
     {"SQLite format 3\0"sv, FileFormat::foreign, "SQLite, as in a bag of ROS 2 (.db3)",
-     "pip install rosbags, whose rosbags-convert makes a bag of ROS 1 of the folder"},
+     "pip install rosbags; its rosbags-convert turns the folder into a bag of ROS 1"},
     {"\xD0\xCF\x11\xE0"sv, FileFormat::foreign, "an old spreadsheet (.xls)", kAsAText},
     {"PAR1"sv, FileFormat::foreign, "Parquet", kAsAText},
     {"ARROW1"sv, FileFormat::foreign, "Feather", kAsAText},
@@ -134,23 +134,23 @@ const Look kLooks[] = {
      "a universal file (UFF 58)",
      "pip install pyuff numpy; python3 -c \"import pyuff, numpy as n; s = pyuff.UFF('LOG.uff').read_sets(); "
      "n.savetxt('LOG.csv', n.c_[s[0]['x'], s[0]['data'], s[1]['data']], delimiter=',', "
-     "header='time_s,displacement_UNIT,force_UNIT', comments='')\", with the units of the sets for UNIT"},
+     "header='time_s,displacement_UNIT,force_UNIT', comments='')\", where UNIT stands for the units of the sets"},
     {[](std::string_view head) {
        return head.find("#BEGINGLOBALHEADER") != std::string_view::npos ||
               head.find("#BEGINCHANNELHEADER") != std::string_view::npos;
      },
-     "the header of a DIAdem file, whose numbers stand in other files", "in DIAdem, save the channels as text (CSV)"},
+     "the header of a DIAdem file, whose numbers are in other files", "in DIAdem, save the channels as text (CSV)"},
     {[](std::string_view head) {
        return (lineOf(head, 0) == "header:" &&
                (startsWith(lineOf(head, 1), "seq:") || startsWith(lineOf(head, 1), "stamp:"))) ||
               (lineOf(head, 1) == "---" && startsWith(lineOf(head, 0), "data:"));
      },
      "output of rostopic echo",
-     "rosbag record TOPIC, whose bag is read, or rostopic echo -p TOPIC > LOG.csv, which is by --columns time=%time "
-     "displacement=field.displacement --unit time=ns displacement=m"},
+     "record a bag with rosbag record TOPIC, or write rostopic echo -p TOPIC > LOG.csv and read it with --columns "
+     "time=%time displacement=field.displacement --unit time=ns displacement=m"},
     {isJson, "JSON",
      "pip install pandas; python3 -c \"import pandas; pandas.read_json('LOG.json').to_csv('LOG.csv', index=False)\", "
-     "with lines=True where each line is an object"},
+     "with lines=True if each line is an object"},
 };
 
 const Mark* markOf(const std::string& head) {
@@ -187,8 +187,8 @@ void refuseUnpacked(std::size_t unpacked, std::size_t packed, bool large, std::s
   constexpr std::size_t kMostTimes = 100;
   element::refuseIf<std::runtime_error>(
       !large && unpacked > kFreely && unpacked / kMostTimes > packed,
-      "expands to more than {} times its {} bytes; accepted beyond 64 MiB: at most this factor, or --large", kMostTimes,
-      std::max(size, packed));
+      "expands to more than 64 MiB and to more than {} times its {} bytes; accepted: a smaller factor, or --large",
+      kMostTimes, std::max(size, packed));
 }
 
 bool isRegularFile(const std::string& path) {

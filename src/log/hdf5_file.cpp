@@ -39,7 +39,8 @@ bool isWritten(hid_t dataset, hid_t properties) {
 void requireShallow(const std::string& path) {
   constexpr int kDeepestGroup = 32;
   element::refuseIf<std::runtime_error>(std::count(path.begin(), path.end(), '/') > kDeepestGroup,
-                                        "groups nested deeper than {}; accepted: at most that", kDeepestGroup);
+                                        "groups nested more than {0} levels deep; accepted: at most {0}",
+                                        kDeepestGroup);
 }
 
 }  // namespace

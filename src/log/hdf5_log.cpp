@@ -216,8 +216,8 @@ class Hdf5File {
     });
     element::refuseIf<std::runtime_error>(
         !pandas.empty(),
-        "a table of pandas, which is not read; accepted: CSV, by python3 -c \"import "
-        "pandas; pandas.read_hdf('{}', '{}').reset_index().to_csv('LOG.csv', index=False)\"",
+        "a table of pandas, which is not read; accepted: CSV, written with python3 -c \"import pandas; "
+        "pandas.read_hdf('{}', '{}').reset_index().to_csv('LOG.csv', index=False)\"",
         path, pandas);
     element::refuseIf<std::runtime_error>(columns_.empty(),
                                           "no columns: {}; accepted: vectors or matrices of numbers, up to {} columns",
@@ -240,8 +240,8 @@ class Hdf5File {
  private:
   ColumnFile columns(std::size_t most) const {
     return {[this, most](std::size_t place, const std::string& name) {
-              element::refuseIf<std::runtime_error>(
-                  columns_[place].length > most, "{}: more than {} numbers; accepted: that many at most", name, most);
+              element::refuseIf<std::runtime_error>(columns_[place].length > most,
+                                                    "{0}: more than {1} numbers; accepted: at most {1}", name, most);
               return static_cast<std::size_t>(columns_[place].length);
             },
             [this](std::size_t place, const std::string&, std::size_t first, std::size_t count) {

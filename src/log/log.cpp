@@ -106,7 +106,7 @@ void setUnitOption(LogFormat& format, const std::string& entry) {
   const std::size_t equals = entry.find('=');
   const std::string quantity = entry.substr(0, equals);
   LogFormat::Channel* const channel = equals == std::string::npos ? nullptr : channelNamed(format, quantity);
-  std::string reason = "no quantity and its unit";
+  std::string reason = "not a quantity and its unit";
   if (channel != nullptr) {
     const std::string unit = entry.substr(equals + 1);
     const std::string si = siUnit(kQuantities[static_cast<std::size_t>(channel - format.of.data())]);

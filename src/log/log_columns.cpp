@@ -150,7 +150,7 @@ void setUnit(Column& column, const std::string& unit, const LogFormat& format, Q
     element::refuseIf(size > largestUnit(quantity), "unit {} is {:g} {}{}", quoted(unit), size, si,
                       lower != unit && isUnit(lower) ? " (did you mean '" + lower + "'?)" : "");
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("column {}: {}; accepted: a unit of {}, in the header or by --unit {}=UNIT",
+    throw std::runtime_error(fmt::format("column {}: {}; accepted: a unit of {}, in the header or with --unit {}=UNIT",
                                          quoted(column.label), error.what(), toString(quantity), toString(quantity)));
   }
 }
@@ -263,7 +263,8 @@ void requireColumn(const Column& column, const std::vector<ColumnName>& header, 
       !column.found(), "there is no column of {}; the header has {}{}; accepted: {}{}", toString(quantity),
       listed(header), hintOfMaterial(header, quantity), accepted(quantity),
       quantity == Quantity::time && unnamed != header.end()
-          ? fmt::format("; the column without a name, by --columns time={} --unit time=s", unnamed - header.begin() + 1)
+          ? fmt::format("; select the column without a name with --columns time={} --unit time=s",
+                        unnamed - header.begin() + 1)
           : "");
 }
 
@@ -393,7 +394,7 @@ std::vector<std::string> notesOnIgnored(const std::vector<ColumnName>& header, c
     const std::string& unit = channelOf(format, quantity).unit;
     const std::string own = column.found() ? header[column.index].unit : "";
     if (!unit.empty() && !own.empty() && own != unit) {
-      notes.push_back(fmt::format("column {} is taken to be in {}, by --unit", quoted(column.label), quoted(unit)));
+      notes.push_back(fmt::format("column {} is read in {}, as set with --unit", quoted(column.label), quoted(unit)));
     }
   }
   return notes;

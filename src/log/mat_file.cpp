@@ -59,7 +59,8 @@ class ElementReader {
       element.type = first;
       size = number(at_ + 4);
     }
-    require(begin <= bytes_.size() && size <= bytes_.size() - begin, "an element does not fit into what holds it");
+    require(begin <= bytes_.size() && size <= bytes_.size() - begin,
+            "an element does not fit into the element that contains it");
     element.data = bytes_.substr(begin, size);
     const bool padded = element.type != kCompressed && begin == at_ + 8;
     at_ = begin == at_ + 4 ? at_ + 8 : std::min(begin + (padded ? (size + 7) / 8 * 8 : size), bytes_.size());
@@ -116,7 +117,7 @@ class MatChecker {
       if (element.type == kCompressed) {
         const std::string content = inflated(reader, element.data);
         ElementReader inner(content, place, swapped_);
-        checkMatrix(inner.next(kMatrix, "what is compressed is no matrix").data, place, 0);
+        checkMatrix(inner.next(kMatrix, "the compressed data are no matrix").data, place, 0);
         inner.require(inner.atEnd(), "more than one matrix in a compressed element");
       } else {
         reader.require(element.type == kMatrix, "an element that is no matrix");
@@ -187,7 +188,8 @@ class MatChecker {
   static void checkNumbers(ElementReader& reader, std::size_t count) {
     const Element numbers = reader.next();
     const std::size_t size = numbers.type < std::size(kTypeSize) ? kTypeSize[numbers.type] : 0;
-    reader.require(size > 0 && numbers.data.size() == count * size, "fewer or more numbers than the dimensions say");
+    reader.require(size > 0 && numbers.data.size() == count * size,
+                   "the count of numbers does not match the dimensions");
   }
 
   void checkMatrix(std::string_view data, std::size_t place, std::size_t depth) {
@@ -197,7 +199,7 @@ class MatChecker {
     ElementReader reader(data, place, swapped_);
     reader.require(depth < kDeepest, "structs nested deeper than 64");
     const Element flags = reader.next(kUint32, "a matrix without flags");
-    reader.require(flags.data.size() == 8, "flags of another size");
+    reader.require(flags.data.size() == 8, "flags of a wrong size");
     const std::uint32_t bits = reader.numberIn(flags.data, 0);
     const std::uint32_t kind = bits & 0xFFU;
     if (kind == kOpaque) {
@@ -227,7 +229,7 @@ class MatChecker {
       const Element length = reader.next(kInt32, "a struct without names");
       const std::size_t each = length.data.size() == 4 ? reader.numberIn(length.data, 0) : 0;
       const std::size_t names = reader.next(kInt8, "a struct without names").data.size();
-      reader.require(each > 0 ? names % each == 0 : names == 0, "names of fields that do not fit");
+      reader.require(each > 0 ? names % each == 0 : names == 0, "field names whose total length is wrong");
       fields = each > 0 ? names / each : 0;
     }
     for (std::size_t i = 0; i < count * fields; ++i) {

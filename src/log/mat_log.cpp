@@ -228,7 +228,7 @@ class MatLogReader {
       return "";
     }
     const Hdf5Handle file(openHdf5(path), H5Fclose);
-    return " (datasets of HDF5: " + describeDatasets(file.get()) + "; with the extension .h5 they are read as such)";
+    return " (datasets of HDF5: " + describeDatasets(file.get()) + "; with the extension .h5 they are read)";
   }
 
   // Reads a column when its length is requested, and keeps it until its numbers are requested.
@@ -253,8 +253,7 @@ class MatLogReader {
     }
     const VariablePointer info(Mat_VarReadInfo(file_.get(), variable.c_str()), Mat_VarFree);
     element::refuseIf<std::runtime_error>(info && numbersIn(*info, 0) > kMaximumLogRows,
-                                          "{}: more than {} numbers; accepted: that many at most", name,
-                                          kMaximumLogRows);
+                                          "{0}: more than {1} numbers; accepted: at most {1}", name, kMaximumLogRows);
     kept_variable_.reset(info ? Mat_VarRead(file_.get(), variable.c_str()) : nullptr);
     element::refuseIf<std::runtime_error>(!kept_variable_,
                                           "{}: cannot be read; accepted: a vector or a matrix of numbers", name);
@@ -278,8 +277,8 @@ class MatLogReader {
     const bool fits = vector != nullptr && vector->data != nullptr &&
                       (part > 0 ? isMatrix(*vector) : isVector(*vector)) && part <= partCount(*vector);
     element::refuseIf<std::runtime_error>(!fits, "{}: cannot be read; accepted: a vector or a matrix of numbers", name);
-    element::refuseIf<std::runtime_error>(vector->isComplex != 0, "{}: complex numbers; accepted: real ones", name);
-    // MATLAB stores matrices in column-major order.
+    element::refuseIf<std::runtime_error>(vector->isComplex != 0, "{}: complex numbers; accepted: real numbers", name);
+    // MATLAB stores column by column.
     const bool wide = part > 0 && isWide(*vector);
     const std::size_t length = part == 0 ? elementCount(*vector) : std::max(vector->dims[0], vector->dims[1]);
     const std::size_t first = part == 0 ? 0 : wide ? part - 1 : (part - 1) * length;
@@ -292,7 +291,7 @@ class MatLogReader {
                                                        {MAT_T_INT64, copyNumbers<std::int64_t>}};
     const auto copy = copies.find(vector->data_type);
     element::refuseIf<std::runtime_error>(
-        copy == copies.end(), "{}: numbers of a type that is not read; accepted: double, single, int16 to int64", name);
+        copy == copies.end(), "{}: numbers of an unsupported type; accepted: double, single, int16 to int64", name);
     std::vector<double> values(length);
     copy->second(*vector, first, stride, values);
     return values;

@@ -127,8 +127,9 @@ void NumberMarks::lookAt(std::string_view text, std::size_t channel, std::size_t
   marked_ = true;
   if (last_may_be_either_) {
     if (decimal_ == '\0' && assumed_ == otherMark(marks.last)) {
-      throw std::runtime_error(fmt::format("{} has a {} where others have a {}; accepted: --decimal , or --decimal .",
-                                           quoted(std::string(text)), nameOfMark(marks.last), nameOfMark(assumed_)));
+      throw std::runtime_error(
+          fmt::format("{} has a {} where other numbers have a {}; accepted: --decimal , or --decimal .",
+                      quoted(std::string(text)), nameOfMark(marks.last), nameOfMark(assumed_)));
     }
     assumed_ = decimal_ == '\0' ? marks.last : assumed_;
     const bool first = column.line == 0 && (decimal_ == '\0' || decimal_ == marks.last);
@@ -211,8 +212,8 @@ void NumberMarks::requireClear(const std::vector<std::string>& names, bool by_op
     // The decimal mark of another column decides, unless this column would jump more with it than with the other mark.
     if (either && (decimal_ == '\0' || column.as_thousands < column.as_decimals)) {
       const std::string option = by_option ? optionFor(column, i) : "a file without thousands separators";
-      throw RowError(column.line, fmt::format("{}: the mark in '{}' may be decimal or separate thousands, because no "
-                                              "other number decides it; accepted: {}",
+      throw RowError(column.line, fmt::format("{}: the mark in '{}' may be a decimal mark or a thousands separator, "
+                                              "and no other number shows which; accepted: {}",
                                               names[i], column.text, option));
     }
   }

@@ -34,7 +34,7 @@ Log readDirection(const std::string& path, LogFormat format, std::size_t directi
                      "; the leg lengths of a hexapod are not a pose; accepted: x, y, z, rx, ry, rz with their units");
     }
   }
-  throw LogError(text + "; accepted of six directions: x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, or with other units");
+  throw LogError(text + "; accepted for six directions: x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg, or with other units");
 }
 
 // Reads the first direction. Sets `with_wrench` to whether the log has wrenches.
@@ -50,8 +50,8 @@ Log readFirst(const std::string& path, const LogFormat& format, bool& with_wrenc
   with_wrench = false;
   Log log = readDirection(path, format, 0, false);
   if (!log.force.empty()) {
-    throw LogError(
-        fmt::format("{}: a force, but no column 'Fx'; accepted: all of {}, or none", path, fmt::join(kWrench, ", ")));
+    throw LogError(fmt::format("{}: there is a force, but no column 'Fx'; accepted: all of {}, or none", path,
+                               fmt::join(kWrench, ", ")));
   }
   return log;
 }

@@ -294,7 +294,7 @@ Record rawRecord(const Log& log, LeadIn lead_in) {
   record.force_deviation = deviation(record.force);
   record.displacement = record.raw_displacement;
   element::refuseIf<LogError>(record.counts.size() > 0 && record.counted() < static_cast<double>(kFewestSamples),
-                              "{}: {:.0f} samples with a measured force are too few to diagnose; needed are {}",
+                              "{}: {:.0f} samples with a measured force are too few to diagnose; accepted: at least {}",
                               log.name, record.counted(), kFewestSamples);
   return record;
 }

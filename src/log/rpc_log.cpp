@@ -311,8 +311,9 @@ std::string rpcFile(double dt, const std::vector<RpcChannel>& channels) {
                                                               {"PARENT_1", ""}};
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const RpcChannel& channel = channels[c];
-    element::refuseIf(channel.values.size() != samples, "RPC III: {} has {} samples; accepted: {}, as the others",
-                      channel.name, channel.values.size(), samples);
+    element::refuseIf(channel.values.size() != samples,
+                      "RPC III: {} has {} samples; accepted: {}, as in the other channels", channel.name,
+                      channel.values.size(), samples);
     const auto [least, most] = std::minmax_element(channel.values.begin(), channel.values.end());
     for (const auto& [key, value] : {std::pair("DESC", channel.name),
                                      {"UNITS", channel.unit},

@@ -193,7 +193,9 @@ std::vector<std::string> SampleRules::notes() const {
   if (own_stamps_ > 0) {
     notes.push_back(fmt::format(
         "the stamps of column {} are replaced by --sampling-rate {:g}{}", quoted(columns_.time.label), *format_.rate,
-        bad_stamps_ == 0 ? "" : fmt::format(": {} of {} are not later than the one before", bad_stamps_, own_stamps_)));
+        bad_stamps_ == 0
+            ? ""
+            : fmt::format(": {} of {} stamps are not later than the preceding stamp", bad_stamps_, own_stamps_)));
   }
   return notes;
 }

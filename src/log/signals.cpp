@@ -289,8 +289,9 @@ void Signals::merge(SignalRow row, Log& to) {
       if (!state.there && columnOf(s).found() && isMeasured(row.value[s])) {
         throw RowError(
             row.place,
-            fmt::format("{}: the first {} rows have no number; accepted: a log that begins with numbers in each column",
-                        columnOf(s).name, kLookAhead));
+            fmt::format(
+                "{}: no number in the first {} rows; accepted: a log with numbers in each column from the beginning",
+                columnOf(s).name, kLookAhead));
       }
     }
   }
@@ -432,8 +433,8 @@ void Signals::refuseGaps() const {
   const std::size_t first = by_time ? first_timeless_ : motion.first_place;
   for (const Sentinel& sentinel : motion.sentinels) {
     if (reason.empty() && sentinel.cells > 0) {
-      throw RowError(sentinel.places.front(),
-                     sentinelText(kMotion, sentinel) + "; accepted: --sentinel none, where it is measured" + advice());
+      throw RowError(sentinel.places.front(), sentinelText(kMotion, sentinel) +
+                                                  "; accepted: --sentinel none if this value was measured" + advice());
     }
   }
   throw RowError(too_long ? longest_place_ : first, reason + "; accepted: a finite number" + advice());
@@ -442,7 +443,9 @@ void Signals::refuseGaps() const {
 // Returns the suggestion of an option for the error, provided that it would omit at most a tenth of the rows.
 std::string Signals::advice() const {
   if (lost_rows_ * kFewestPerAdvised > rows_ || !signals_[kMotion].there) {
-    return signals_[kMotion].there ? fmt::format(" in nine of ten rows, for {} of {} lack one", lost_rows_, rows_) : "";
+    return signals_[kMotion].there
+               ? fmt::format(" in nine of ten rows, but {} of {} rows lack a number", lost_rows_, rows_)
+               : "";
   }
   return fmt::format(", or --bridge {:.6g}, which omits {} of {} rows, at most {:.3g} s in a row",
                      std::max(kBridged, std::ceil(100.0 * longest_gap_) / 100.0), lost_rows_, rows_, longest_gap_);
@@ -474,8 +477,8 @@ void Signals::noteSignal(std::size_t signal, std::vector<std::string>& notes) co
   }
   const std::string rate = state.step > 0 ? fmt::format(" at {:.4g} Hz", 1e9 / static_cast<double>(state.step)) : "";
   const std::string first = state.first_reason.empty() ? ""
-                                                       : fmt::format(" (the first without in {} {}: {})", word_,
-                                                                     state.first_place, state.first_reason);
+                                                       : fmt::format(" (the first row without a value is {} {}: {})",
+                                                                     word_, state.first_place, state.first_reason);
   const std::string came =
       fmt::format("column {} has values{} in only {} of {} rows", quoted(column.label), rate, state.rows, rows_);
   if (signal == kTemperature) {

@@ -148,7 +148,7 @@ std::string readFile(const std::string& path, std::size_t maximum_size) {
   if (std::ferror(file.get()) != 0) {
     throw std::runtime_error(std::strerror(errno));
   }
-  element::refuseIf<std::runtime_error>(text.size() > maximum_size, "more than {} bytes; accepted: that many at most",
+  element::refuseIf<std::runtime_error>(text.size() > maximum_size, "more than {0} bytes; accepted: at most {0}",
                                         maximum_size);
   return text;
 }

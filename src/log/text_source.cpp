@@ -113,7 +113,7 @@ class GzipSource final : public ByteSource {
       namespace io = boost::iostreams;
       const bool is_cut = error.error() == io::gzip::bad_footer || error.zlib_error_code() == io::zlib::buf_error;
       throw std::runtime_error(
-          fmt::format("gzip: {}; accepted: a complete one", is_cut ? "the file ends early" : "damaged data"));
+          fmt::format("gzip: {}; accepted: a complete file", is_cut ? "the file ends early" : "damaged data"));
     }
     const auto count = static_cast<std::size_t>(stream_.gcount());
     unpacked_ += count;
@@ -168,7 +168,7 @@ class Utf16Source final : public ByteSource {
     const std::size_t count = source_->read(input_.data() + held_, input_.size() - held_);
     held_ += count;
     element::refuseIf<std::runtime_error>(count == 0 && held_ > 0,
-                                          "UTF-16: the file ends within a character; accepted: a complete one");
+                                          "UTF-16: the file ends within a character; accepted: a complete file");
     return count > 0;
   }
 
@@ -228,7 +228,7 @@ std::string readText(const std::string& path, std::size_t maximum_size) {
     count = source.bytes->read(&text[filled], text.size() - filled);
   }
   text.resize(filled);
-  element::refuseIf<std::runtime_error>(filled > maximum_size, "more than {} bytes; accepted: that many at most",
+  element::refuseIf<std::runtime_error>(filled > maximum_size, "more than {0} bytes; accepted: at most {0}",
                                         maximum_size);
   return text;
 }

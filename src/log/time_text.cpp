@@ -227,7 +227,7 @@ std::optional<std::int64_t> TimeTextReader::read(std::string_view text) {
         quoted(std::string(text)));
     element::refuseIf<std::runtime_error>(
         day->doubtful && doubtful_day_ && *doubtful_day_ != day->days,
-        "the date changes, and may be read with its day or its month first; accepted: ISO 8601");
+        "the dates change, and may have the day or the month first; accepted: dates of ISO 8601");
     doubtful_day_ = day->doubtful ? std::optional(day->days) : doubtful_day_;
     return day->days * kDay + *of_day - *zone;
   }

@@ -79,11 +79,11 @@ element::ComponentForce CrossFade::blend(const element::ComponentForce& configur
 
 std::string describeErrors(const PairedErrors& errors) {
   if (errors.samples == 0) {
-    return "no force was measured in the shadow";
+    return "no force was measured while the model ran in the shadow";
   }
   const double count = static_cast<double>(errors.samples);
-  return fmt::format("RMS error {:.4g} N, of the configured model {:.4g} N, over {} samples",
-                     std::sqrt(errors.other / count), std::sqrt(errors.published / count), errors.samples);
+  return fmt::format("RMS error {:.4g} N, configured model {:.4g} N, over {} samples", std::sqrt(errors.other / count),
+                     std::sqrt(errors.published / count), errors.samples);
 }
 
 }  // namespace rubber_suspension::node

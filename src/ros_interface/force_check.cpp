@@ -47,9 +47,10 @@ std::size_t firstCompared(const log::Log& log, double skip) {
 }  // namespace
 
 ForceReference measuredReference(const log::Log& log) {
-  element::refuseIf(log.force.empty(),
-                    "{} has no measured force; accepted: a log with one, or a component file as reference (--config)",
-                    log.name);
+  element::refuseIf(
+      log.force.empty(),
+      "{} has no measured force; accepted: a log with a measured force, or a component file as reference (--config)",
+      log.name);
   return {"the force measured in " + log.name, log.force};
 }
 

@@ -75,13 +75,15 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       topic<Force>("COMPONENT/force", Kind::published, "the answer, with the header of the displacement", 1),
       topic<MeasuredForce>("COMPONENT/measured_force", Kind::subscribed,
                            "optional: measured force, with which the node monitors the gap", 1),
-      topic<sensor_msgs::Temperature>("COMPONENT/temperature", Kind::subscribed,
-                                      "optional, with the key `temperature`: temperature [degC] from its stamp on"),
-      topic<Gap>("COMPONENT/gap", Kind::published, "once per second if a force is measured: level, place and trend", 1),
+      topic<sensor_msgs::Temperature>(
+          "COMPONENT/temperature", Kind::subscribed,
+          "optional, for components with the key `temperature`: temperature [degC], valid from its stamp on"),
+      topic<Gap>("COMPONENT/gap", Kind::published,
+                 "once per second if a force is measured: level, place and trend of the gap", 1),
       topic<Gap>("COMPONENT/shadow_gap", Kind::published,
-                 "gap of a second model that is computed without giving the force (see COMPONENT/promote)", 1),
+                 "gap of a second model, whose force is computed but not published (see COMPONENT/promote)", 1),
       topic<Running>("COMPONENT/running", Kind::published,
-                     "latched: whether the configured or a promoted model gives the force, and its hash"),
+                     "latched: whether the configured or a promoted model gives the force, and the hash of this model"),
       topic<Diagnosis>(
           "COMPONENT/diagnosis", Kind::published,
           "latched, if ~diagnose is true: which effect the model lacks, since when, and how certain this is", 1),
@@ -110,18 +112,18 @@ const std::vector<InterfaceEntry>& nodeInterface() {
       service<std_srvs::Trigger>("~save_state", "write the state of all components to ~state_file"),
       service<std_srvs::Trigger>("~load_state", "continue from the state in ~state_file"),
       service<std_srvs::Trigger>("~reload", "read the component file again; unchanged components keep their state"),
-      service<std_srvs::SetBool>("~set_enabled",
-                                 "enable or disable all; a disabled component does not answer and keeps its state"),
+      service<std_srvs::SetBool>(
+          "~set_enabled", "enable or disable all components; a disabled component does not answer and keeps its state"),
       service<ResetComponent>("~reset_component", "reset the component with the name `component` to rest, as new"),
       service<EnableComponent>("~enable_component", "like ~set_enabled, for the component with the name `component`"),
       service<std_srvs::Trigger>(
           "COMPONENT/promote",
-          "if ~diagnose or ~promote_file is set: replace the configured model by that of ~promote_file or of the live "
-          "diagnosis, first computed in parallel (shadow), then by a cross-fade",
+          "if ~diagnose or ~promote_file is set: replace the configured model with the model of ~promote_file or of "
+          "the live diagnosis, which first runs in parallel (shadow), then takes over in a cross-fade",
           1),
       service<std_srvs::Trigger>("COMPONENT/rollback",
                                  "if ~diagnose or ~promote_file is set or a loaded state has a promoted model: return "
-                                 "to the configured model by a cross-fade",
+                                 "to the configured model with a cross-fade",
                                  1),
   };
   return table;

@@ -167,7 +167,7 @@ std::string NodeServices::reload() const {
   std::vector<std::shared_ptr<node::ComponentChannel::Model>> models;
   for (const io::ComponentDescription* description : matchByName(described, &io::ComponentDescription::name, group_)) {
     if (channelNamed(description->name, group_).hasSixDirections() != (description->six != nullptr)) {
-      throw std::invalid_argument(fmt::format("component {} has {} now, which needs a restart", description->name,
+      throw std::invalid_argument(fmt::format("component {} now has {}; this change needs a restart", description->name,
                                               description->six ? "six directions" : "one direction"));
     }
     models.push_back(node::ComponentChannel::makeModel(*description, settings_.max_gap));

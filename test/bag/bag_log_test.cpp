@@ -263,13 +263,13 @@ TEST_F(BagStamps, NobodyFilledAreRefusedWithTheOptionsThatReadThem) {
 TEST_F(BagStamps, TellThePlaceOfAMessageThatWasOvertaken) {
   const log::Log read = bag::readBagLog(write({1.0, 1.001, 1.003, 1.002, 1.004}));
   EXPECT_THAT(read.displacement, testing::ElementsAre(0.0, 1.0, 3.0, 2.0, 4.0));
-  EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("1 of 5 messages stand behind later ones")));
+  EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("1 of 5 messages follow messages with later stamps")));
 }
 
 TEST_F(BagStamps, OfOneMessageWithoutLeaveItOut) {
   const log::Log read = bag::readBagLog(write({1.0, 1.001, 0.0, 1.003}));
   EXPECT_THAT(read.displacement, testing::ElementsAre(0.0, 1.0, 3.0));
-  EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("1 of 4 messages have the stamp 0: left out")));
+  EXPECT_THAT(read.notes, testing::ElementsAre(HasSubstr("1 of 4 messages have the stamp 0: omitted")));
 }
 
 // The bag contains two runs, whose samples must not be mixed.
@@ -398,8 +398,9 @@ TEST_F(BagPoses, AreRefusedAsTheNodeDropsThem) {
   bag::writeBagLog(path("a.bag"), "bush", log());
   EXPECT_THAT(refusalOf(path("a.bag"), "bush"), HasSubstr("the bag has no pose at all"));
   const std::string message = messageOf<log::LogError>([&] { bag::readBagLog(write(), "bush"); });
-  EXPECT_THAT(message, HasSubstr("no displacement at all; accepted: --columns displacement=/TOPIC/FIELD "
-                                 "force=/TOPIC/FIELD, of its topics /bench/bush/measured_wrench, /bench/bush/pose"));
+  EXPECT_THAT(message,
+              HasSubstr("no displacement at all; accepted: --columns displacement=/TOPIC/FIELD "
+                        "force=/TOPIC/FIELD, where /TOPIC is one of /bench/bush/measured_wrench, /bench/bush/pose"));
 }
 
 }  // namespace

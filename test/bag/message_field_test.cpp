@@ -137,7 +137,7 @@ TEST_F(MessageField, IsRefusedByNameWhereItIsNotThere) {
               HasSubstr("accepted: one of /cell, /ft/wrench, /joint_states"));
   EXPECT_THAT(refusal({displacement, "force=/ft/wrench.strain"}),
               HasSubstr("no field 'strain'; accepted: one of header, wrench"));
-  EXPECT_THAT(refusal({"displacement=/joint_states/position[9]"}), HasSubstr("message 1: no number there"));
+  EXPECT_THAT(refusal({"displacement=/joint_states/position[9]"}), HasSubstr("message 1: the field has no number"));
   EXPECT_THAT(refusal({"displacement=/joint_states/name[0]"}), HasSubstr("a field of type string"));
 }
 

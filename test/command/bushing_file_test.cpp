@@ -94,7 +94,7 @@ TEST(BushingFile, TellsWhatTheFormatCannotSay) {
   const component::Component component(
       {{"spring", {{"stiffness", {3e6}}}}, {"maxwell", {{"stiffness", {1e6}}, {"break_frequency", {2.0}}}}});
   const BushingFile file = makeBushingFile("bush", alongX(component), options());
-  EXPECT_THAT(file.notes, Contains(HasSubstr("maxwell: the file contains only its force at rest")));
+  EXPECT_THAT(file.notes, Contains(HasSubstr("maxwell: of this element the file contains only the force at rest")));
   EXPECT_THAT(file.notes, Contains(HasSubstr("y, z, rx, ry, rz: free")));
   // K* = 3 + i x/(1 + i x) kN/mm is 3.8 + 0.4 i for x = f/f_b = 2. Its real part in the file is the static stiffness.
   EXPECT_THAT(file.notes.front(), HasSubstr("x: at 4 Hz and 1 mm the component has 3.821 kN/mm and 6.01 degrees"));
@@ -194,8 +194,9 @@ TEST(BushingFile, HasSixDirectionsForAltair) {
   EXPECT_NEAR(numberOf(blocks.at("CONSTANT_STIFFNESS_TX"), "K"), 900.0 * 1e3 * kDegree, 1e-4);  // [N mm/deg]
   EXPECT_NEAR(numberOf(blocks.at("CONSTANT_DAMPING_TX"), "C"), 5.0 * 1e3 * kDegree, 1e-5);
   EXPECT_EQ(blocks.count("CONSTANT_DAMPING_TY"), 0U);
-  EXPECT_THAT(file.notes,
-              Contains(HasSubstr("coupling: the file has one for forces and moments")));  // moments are not coupled
+  EXPECT_THAT(
+      file.notes,
+      Contains(HasSubstr("coupling: the file has a single coupling for forces and moments")));  // not for moments here
 }
 
 }  // namespace

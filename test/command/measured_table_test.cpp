@@ -189,7 +189,7 @@ TEST(MeasuredTable, RefusesWithLineAndReason) {
   refuses(header + "1,1e-3,nan,0.1,0\n", "accepted: the first three");
   refuses(header + "1,1e-3,inf,0.1,0\n", "accepted: the first three");
   refuses(header + "1,1e-3,3e6,0.1,500\n",
-          "lab.csv:2: preload: 500 N; accepted: 0, or with a column 'mean displacement");
+          "lab.csv:2: preload: 500 N; accepted: 0, or a table with a column 'mean displacement");
   refuses("frequency_Hz,amplitude_m,stiffness_N_per_m,loss_angle_rad,temperature_degC\n1,1e-3,3e6,0.1,nan\n",
           "temperature");
   EXPECT_THAT(parseTable(header, "lab.csv").points, IsEmpty());

@@ -236,7 +236,7 @@ TEST(Symbols, AreSpelledOut) {
   EXPECT_THAT(refusalOf("    model: maxwell\n    specification: {K_st: 3e6}\n"),
               HasSubstr("did you mean 'static_stiffness'?"));
   EXPECT_THAT(refusalOf("    model: multi_maxwell\n    specification: {maxwell_elements: 1}\n"),
-              HasSubstr("model: maxwell for one"));
+              HasSubstr("model: maxwell for a single element"));
 }
 
 }  // namespace

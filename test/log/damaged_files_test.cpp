@@ -164,9 +164,8 @@ TEST(PackedFile, OfFarMoreThanItsSizeIsRefusedUnlessTheUserWantsIt) {
         EXPECT_TRUE(large);
       } catch (const log::LogError& error) {
         const bool segmented = large || text == segments;
-        const std::string too_much =
-            fmt::format("its {} bytes; accepted beyond 64 MiB: at most this factor, or --large",
-                        std::filesystem::file_size(file.path()));
+        const std::string too_much = fmt::format("its {} bytes; accepted: a smaller factor, or --large",
+                                                 std::filesystem::file_size(file.path()));
         EXPECT_THAT(error.what(), HasSubstr(segmented ? "more than 10000 segments" : too_much));
       }
     }
@@ -315,7 +314,7 @@ TEST(Hdf5File, OfColumnsOfTwoLengthsIsRefused) {
   file.dataset("displacement_mm", std::vector<double>(100, 1.0));
   file.dataset("force_N", std::vector<double>(50, 1.0));
   EXPECT_THAT(file.refusal(),
-              HasSubstr("force_N has 50 values, displacement_mm has 100; accepted: as many in each column, or a time"));
+              HasSubstr("force_N has 50 values, displacement_mm has 100; accepted: equal numbers, or a separate time"));
 }
 
 TEST(Hdf5File, OfACompoundDatasetHasItsMembersAsColumns) {
@@ -389,7 +388,7 @@ TEST(Hdf5File, IsRefusedWhereGroupsNestDeep) {
     path += "/g";
     file.group(path);
   }
-  EXPECT_THAT(file.refusal(), HasSubstr("nested deeper than 32"));
+  EXPECT_THAT(file.refusal(), HasSubstr("nested more than 32 levels deep"));
 }
 
 TEST(Hdf5File, RoundsNoWholeNumberWithoutAWord) {

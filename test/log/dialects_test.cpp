@@ -250,7 +250,7 @@ TEST(Dialects, SayWhatTheirWriterWrote) {
 TEST(Advice, SettlesWhetherMarksAreThousands) {
   const std::string text = "Time [ms];Travel [um];Force [N]\n0;1;998\n5;2;999\n10;3;1.000\n15;4;1.001\n";
   const std::string error = refusalOf(text);
-  EXPECT_THAT(error, HasSubstr(":4: Force [N]: the mark in '1.000' may be decimal or separate thousands"));
+  EXPECT_THAT(error, HasSubstr(":4: Force [N]: the mark in '1.000' may be a decimal mark or a thousands separator"));
   EXPECT_EQ(readText(text, advised(error, "--decimal")).force[2], 1.0);
   EXPECT_EQ(readText(text, byOption("--decimal", ",")).force[2], 1000.0);
 }
@@ -428,8 +428,8 @@ TEST(Header, ThatAnErrorListsStandsAboveTheNumbers) {
               HasSubstr("there is no column of time; the header has 'Disp_1 [mm]', 'Load_1 [kN]'"));
   EXPECT_DOUBLE_EQ(readText(channels, byOption("--sampling-rate", "10")).force[1], 2e3);
   EXPECT_THAT(refusalOf("Time [s],Strain [%],Stress [MPa]\n0,1,2\n1,2,3\n"),
-              HasSubstr("'Strain [%]', 'Stress [MPa]': of a material, which is a stiffness and a displacement once the "
-                        "shape"));
+              HasSubstr("'Strain [%]', 'Stress [MPa]': a quantity of the material, from which the shape (area, "
+                        "height) gives a stiffness"));
   EXPECT_THAT(refusalOf("%time,field.displacement\n1700000000000000000,1\n1700000000005000000,2\n",
                         byColumns({"displacement=field.displacement"}, "displacement=m")),
               HasSubstr("accepted: --unit time=ns"));
@@ -474,8 +474,7 @@ TEST(Rows, OfStatisticsBelowTheDataAreLeftOut) {
     EXPECT_EQ(log.size(), 3U);
     EXPECT_THAT(log.notes.back(), HasSubstr("3 rows of statistics below the data"));
   }
-  EXPECT_THAT(refusalOf(data + "Min\t-2.0\t-2700\n3\t1\t2\n"),
-              HasSubstr(":5: there is a row of statistics with data below it"));
+  EXPECT_THAT(refusalOf(data + "Min\t-2.0\t-2700\n3\t1\t2\n"), HasSubstr(":5: data follow this row of statistics"));
   EXPECT_THAT(refusalOf(data + "end of test\t1\t2\n"), HasSubstr("'end of test' is not a number"));
   // Words that appear in every row do not mark rows of statistics.
   EXPECT_EQ(readText("Peak,time_s,displacement_mm\nmax,0,1\nmin,1,-1\nmax,2,1\n").size(), 3U);

@@ -63,16 +63,16 @@ TEST(ReadCsvLog, GivesWhatATextSays) {
   expectRead("ARateForATime", "displacement_m\n0\n1\n2\n3\n", byColumns({}, "", 3.0),
              {0, 333333333, 666666667, 1000000000}, {0.0, 1.0, 2.0, 3.0}, {},
              {"displacement from 'displacement_m', 3 Hz"});
-  expectRead(
-      "ARateOverridesATimeColumn", "time_s,displacement_m\n5,0\n5,1\n", byColumns({}, "", 100.0), {0, 10000000},
-      {0.0, 1.0}, {},
-      {"the stamps of column 'time_s' are replaced by --sampling-rate 100: 1 of 2 are not later than the one before"});
+  expectRead("ARateOverridesATimeColumn", "time_s,displacement_m\n5,0\n5,1\n", byColumns({}, "", 100.0), {0, 10000000},
+             {0.0, 1.0}, {},
+             {"the stamps of column 'time_s' are replaced by --sampling-rate 100: 1 of 2 stamps are not later than the "
+              "preceding stamp"});
   expectRead("AMappedTimeKeepsTheUnitInItsName", "time_ms,displacement_m\n0.1,0\n3,1\n", byColumns({"time=time_ms"}),
              {100000, 3000000}, {0.0, 1.0}, {}, {"time from 'time_ms'"});
   expectRead("AUnitGoesBeforeThatOfTheHeader", "time_s,displacement,force_kN\n0,1,1\n1,2,2\n",
              byColumns({}, "displacement=mm force=N"), {0, 1000000000}, {0.001, 0.002}, {1.0, 2.0},
              {"time from 'time_s', displacement from 'displacement', force from 'force_kN', 1 Hz",
-              "column 'force_kN' is taken to be in 'N', by --unit"});
+              "column 'force_kN' is read in 'N', as set with --unit"});
   expectRead(
       "UnitsInBrackets", "T [ms],D (mm),F [kN]\n0,1,2\n4.5,2,3\n",
       byColumns({"time=T [ms]", "displacement=D (mm)", "force=F [kN]"}), {0, 4500000}, {0.001, 0.002}, {2000.0, 3000.0},

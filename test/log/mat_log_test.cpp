@@ -48,15 +48,16 @@ TEST(MatLog, ARateStandsForTime) {
 TEST(MatLog, LeavesOutWhatWasNotMeasured) {
   const log::Log log = read("not_finite");
   EXPECT_EQ(log.size(), 4U);
-  EXPECT_THAT(log.notes,
-              ElementsAre(HasSubstr("in only 4 of 5 rows (the first without in element 2: displacement_mm: nan is "
-                                    "not finite)")));
+  EXPECT_THAT(log.notes, ElementsAre(HasSubstr(
+                             "in only 4 of 5 rows (the first row without a value is element 2: displacement_mm: nan is "
+                             "not finite)")));
 }
 
 TEST(MatLog, RefusesWhatCannotBeUsed) {
-  EXPECT_THAT(errorOf("complex"), HasSubstr("displacement_mm: complex numbers; accepted: real ones"));
+  EXPECT_THAT(errorOf("complex"), HasSubstr("displacement_mm: complex numbers; accepted: real numbers"));
   EXPECT_THAT(errorOf("time_repeats"), HasSubstr("element 3: time_s: the time 1.000000000 follows 1.000000000"));
-  EXPECT_THAT(errorOf("lengths_differ"), HasSubstr("time_s has 5 values, displacement_mm has 4; accepted: as many"));
+  EXPECT_THAT(errorOf("lengths_differ"),
+              HasSubstr("time_s has 5 values, displacement_mm has 4; accepted: equal numbers"));
   EXPECT_THAT(errorOf("matrix"), HasSubstr("there is no column of displacement; the header has 'time_s'"));
   EXPECT_THAT(errorOf("no_time"), HasSubstr("there is no column of time; the header has"));
   EXPECT_THAT(errorOf("cut_off"), HasSubstr("cut_off.mat: "));

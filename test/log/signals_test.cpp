@@ -88,7 +88,7 @@ TEST(Signals, ASlowForceIsComparedWhereItIs) {
 TEST(Signals, AMissingForceLeavesItsDisplacement) {
   const log::Log log = readText(table(kHeader, {displacementCells(), insteadAt({7, 8, 900}, "OL", forceCells())}));
   expectAllSamples(log, kRows - 3);
-  EXPECT_THAT(log.notes, Contains(HasSubstr("the first without in line 9: force_N: 'OL' is not a number")));
+  EXPECT_THAT(log.notes, Contains(HasSubstr("the first row without a value is line 9: force_N: 'OL' is not a number")));
 }
 
 // The two topics in the table never have values in the same row.

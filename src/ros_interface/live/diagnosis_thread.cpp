@@ -173,7 +173,7 @@ void DiagnosisThread::fillStatus(const std::string& component,
   status.add("window [s]", findings.window);
   if (std::isfinite(findings.gap.as_configured)) {  // false before the first diagnosis
     status.add("gap as configured", findings.gap.as_configured);
-    status.add("gap with what was found", findings.gap.augmented);
+    status.add("gap with the effects found", findings.gap.augmented);
     status.add("noise floor", findings.gap.noise_floor);
   }
   status.add("evidence", fmt::format("{:.3g} of {:.3g}", findings.now.evidence, findings.now.threshold));
