@@ -266,7 +266,7 @@ int main(int argc, char** argv) {
   return command_line::runCommand(
       argc, argv,
       {"diagnose",
-       "Finds where a model differs from logs, which effect it lacks, and how far this effect closes the gap.",
+       "Finds where a model differs from logs, which effect it lacks, and how far the effect closes the gap.",
        {{"Find what a model lacks, from two logs", "--config component.yaml --log log.csv log_2.csv --output report"},
         {"The same, if the force sensor of the rig has a zero error of about 50 N",
          "--config component.yaml --log log.csv --rig force_zero=\"50 N\" --output report"},

@@ -81,8 +81,9 @@ std::string temperatureSection() {
   return "\n## Keys of `temperature`\n\n"
          "For example `{shift: wlf, c1: 6.13, c2: 146.8 K, reference: 20 degC, vertical: proportional}`. The "
          "temperature comes\n"
-         "from the column `temperature_degC` of a log or from the node's topic; without it the component stays at its "
-         "reference.\n\n"
+         "from the column `temperature_degC` of a log or from the node's topic; without a temperature the component "
+         "stays at\n"
+         "its `reference`.\n\n"
          "| key | meaning |\n|---|---|\n"
          "| `shift` | `wlf` or `arrhenius`: the law, with the keys of `wlf_shift` or `arrhenius_shift` below |\n"
          "| `reference` | temperature to which all other values of the component refer; a number is in degC, text may "
@@ -98,16 +99,16 @@ std::string describedKeys() {
          "`static_curve` in the specification. Keys other than numbers:\n\n"
          "| key | meaning |\n|---|---|\n"
          "| `describes` | `component`: the specification describes the whole component, with static curve and added "
-         "elements; `base`: the model without them (the default, with a note if there are any) |\n"
+         "elements; `base`: it describes the model without them (the default, with a note if the component has any) |\n"
          "| `tolerance` | uncertainty of the numbers, as the standard deviation of their logarithms: a share such as "
-         "`5 %`, `guess` (a power of ten), or a map of these by key; default: 10 %. A diagnosis and the bench check "
-         "use it |\n"
+         "`5 %`, `guess` (a power of ten), or a map of such values by key; default: 10 %. A diagnosis and the bench "
+         "check use it |\n"
          "| `static_curve` | `{displacement: [...], force: [...], monotone: false}` in place of `static_stiffness` |\n"
          "| `scale_with` | `static_curve` (default): Maxwell elements and dashpots of the model scale with the slope "
          "of the curve; `none`: they do not. In entries of `add` the key applies to Maxwell elements, dashpots and "
          "sliders |\n"
-         "| `points` | list of `{frequency, amplitude, stiffness, loss_angle, weight}`, to which the model's numbers "
-         "are fitted instead of being given |\n"
+         "| `points` | list of `{frequency, amplitude, stiffness, loss_angle, weight}` in place of the model's "
+         "numbers, which are fitted to these points |\n"
          "| `preloads` | list of maps of the keys above, each with a `nominal_displacement` or `nominal_force` on the "
          "curve |\n";
 }
@@ -119,19 +120,19 @@ std::string parameterReference() {
       "# Reference of the component file\n\n"
       "Written by the command `reference` from the tables that check a file; `config/example.yaml` shows it in use.\n"
       "Numbers are SI, in the units below; text carries its own unit, as `\"3 kN/mm\"`, `\"5.7 deg\"` or `\"5 %\"`.\n\n"
-      "A component has a `model`, a `specification` (or a list of `elements`, for the model of that name), and may "
+      "A component has a `model` and a `specification` (for the model `elements`, a list `elements` instead). It may "
       "have\n"
       "effects on top in a list `add`, the tolerances of the rig that measures it in a map `rig`, and its dependence\n"
       "on temperature in a map `temperature`. The key `valid_displacement` (`12 mm`, or `[-12 mm, 8 mm]`) is the range "
       "of\n"
-      "displacements in which it is valid; the default is the range of its spring tables. Beyond it the node still "
-      "publishes\n"
-      "the force, counts the samples and warns; `replay` warns once. `excluded_effects: [backlash,\n"
+      "displacements in which the component is valid; the default is the range of its spring tables. Beyond this range "
+      "the\n"
+      "node still publishes the force, counts the samples and warns; `replay` warns once. `excluded_effects: "
+      "[backlash,\n"
       "free_play]` lists [effects](effects.md) that the design rules out: a diagnosis does not name them. "
       "`holds_fluid: true`\n"
-      "means that the component contains a fluid: without it a diagnosis reports `fluid_inertia` with both readings, a "
-      "fluid\n"
-      "track or a mass on a spring such as the fixture.\n\n"
+      "means that the component contains a fluid. Without this key a diagnosis reports `fluid_inertia` with two\n"
+      "interpretations: a fluid track, or a mass on a spring such as the fixture.\n\n"
       "## Models\n\n"
       "| model | elements | needs in `specification` | may have |\n|---|---|---|---|\n";
   for (int i = static_cast<int>(estimation::Model::kelvin_voigt); i <= static_cast<int>(estimation::Model::elements);
@@ -142,11 +143,11 @@ std::string parameterReference() {
       "\n## Roles\n\n"
       "The tables below give each key a role, which determines how `estimate --from-log` and `diagnose` use it.\n\n"
       "| role | meaning | moved by a fit |\n|---|---|---|\n"
-      "| scale | the force is linear in it while the others are constant | yes |\n"
-      "| shape | acts on the force in any other way | yes |\n"
+      "| scale | the force is linear in the value while the other values are constant | yes |\n"
+      "| shape | the value acts on the force in any other way | yes |\n"
       "| choice | a count, a switch, a dead band, the span or the points over which a law is realised | no |\n"
       "| reference | the point to which another value refers; any other point would do as well | no |\n\n"
-      "A value at an end of its accepted range (a coefficient of 0, say) is kept, and so is a list.\n";
+      "A fit keeps lists, and values at an end of their accepted range (such as a coefficient of 0).\n";
   text += "\n## Keys of `specification`\n\n" + parameterTable(estimation::specificationParameters()) + describedKeys();
   text +=
       "\n## Keys of `rig`, and of the option `--rig KEY=VALUE` of a diagnosis\n\n"
@@ -162,9 +163,9 @@ std::string parameterReference() {
       "`Component.without_rig()`) omits it. `time_delay`, `sensor_gain`, `force_offset` and `force_drift` always "
       "belong to the\n"
       "rig. Stiffness and loss angle of the whole component are those without the rig.\n\n"
-      "Entries of `elements` may have a `tolerance`, and the component may have one beside `elements` for all others: "
-      "the\n"
-      "uncertainty of their values, as a share or `guess`; default: 30 %.\n";
+      "Entries of `elements` may have a `tolerance`; a `tolerance` of the component itself applies to all other "
+      "entries. It is\n"
+      "the uncertainty of the values, as a share or `guess`; default: 30 %.\n";
   for (const element::ElementType& type : element::elementTypes()) {
     text += elementSection(type);
   }

@@ -103,9 +103,9 @@ const std::vector<InterfaceEntry>& nodeInterface() {
                  "component",
                  6),
       topic<PoseArray>("poses", Kind::subscribed, "all components of six directions in one message"),
-      topic<WrenchArray>("wrenches", Kind::published, "the answer to it"),
+      topic<WrenchArray>("wrenches", Kind::published, "the answer to a message on poses"),
       topic<DisplacementArray>("displacements", Kind::subscribed, "all components of one direction in one message"),
-      topic<ForceArray>("forces", Kind::published, "the answer to it"),
+      topic<ForceArray>("forces", Kind::published, "the answer to a message on displacements"),
       topic<diagnostic_msgs::DiagnosticArray>(
           "/diagnostics", Kind::published, "once per second: rate, dropped samples, latency and gap of each component"),
       service<std_srvs::Trigger>("~reset", "reset all components to rest, as new"),
