@@ -119,7 +119,7 @@ TEST(IdentifyFromLogs, ReportsInTextAndJson) {
   const fit::Identification result = command::identifyFromLogs(description(), {measuredLog()}, {});
   const std::string text = command::toText("left", result);
   EXPECT_THAT(text, HasSubstr("95 % interval"));
-  EXPECT_THAT(text, HasSubstr("are those of the specification"));
+  EXPECT_THAT(text, HasSubstr("keep the values of the specification"));
   const auto json = nlohmann::json::parse(command::toJson("left", result));
   EXPECT_EQ(json["schema"], "rubber_suspension/identification/1");
   ASSERT_EQ(json["parameters"].size(), result.parameters.size());

@@ -128,7 +128,7 @@ TEST(MeasuredTable, IsReadWhateverHoldsItsText) {
   EXPECT_THAT([&] { readTable(array.path()); },
               ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("a NumPy array: this format cannot be read"),
                                                       HasSubstr("'time_s,displacement_UNIT,force_UNIT'"),
-                                                      HasSubstr("with the units of the array"))));
+                                                      HasSubstr("UNIT stands for the units of the array"))));
 }
 
 TEST(MeasuredTable, ReadsWhatExportTableWrites) {

@@ -129,7 +129,7 @@ TEST(Signals, ALostDisplacementIsBridgedWhereLittleIsLost) {
   EXPECT_THAT(error, HasSubstr(":22: displacement_mm: 'Overrun' is not a number"));
   EXPECT_EQ(readText(text, advised(error, "--bridge")).size(), static_cast<std::size_t>(kRows - 60));
   const std::string worse = refusalOf(table(kHeader, {insteadAt(many, "Overrun", displacementCells()), forceCells()}));
-  EXPECT_THAT(worse, AllOf(HasSubstr("400 of 2000 lack one"), Not(HasSubstr("--bridge"))));
+  EXPECT_THAT(worse, AllOf(HasSubstr("400 of 2000 rows lack a number"), Not(HasSubstr("--bridge"))));
 }
 
 TEST(Sentinels, AreNoMeasurements) {

@@ -65,7 +65,7 @@ TABLES = (
     ("tables_of_laboratories/t_preamble.csv", 0, "18 points"),
     ("tables_of_laboratories/t_unitrow2.csv", 0, "18 points"),
     ("tables_of_laboratories/t_negphase.csv", 1, "all loss angles are negative"),
-    ("dma_table/modulus.csv", 1, "of a material"),
+    ("dma_table/modulus.csv", 1, "a quantity of the material"),
     ("lab_tables/matrix.csv", 1, "a matrix, which lacks the loss angle"),
 )
 
