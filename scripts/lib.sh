@@ -15,7 +15,7 @@ fail() {
 
 # Durations of the stages on two cores if nothing is built yet, measured with `scripts/benchmark_start --build`.
 declare -A takes=(
-  [install]="a minute, and the download"
+  [install]="a minute plus the download"
   [configure]="10 s"
   [demo]="4 min"
   [all]="8 min"

@@ -164,9 +164,10 @@ class Reports(Folder):
     def test_shows_all_that_the_data_holds(self):
         shown = self.page(report()).shown
         for text in ("31 N (29 N to 33 N) beyond the rig's tolerance", "Zero the load cell.", "zero 5", "good",
-                     "The measured force repeats itself.", "excerpts, each a log below", "+50.0 %",
+                     "The measured force repeats itself.", "excerpts, each listed below as a log", "+50.0 %",
                      "+ add: friction (maximum force 6 kN)", "leaves 11.0 %", "1 candidates below 1 %", "one and two", "25 %",
-                     "What changed", "Found: friction.", "friction 90 % and nothing 10 %", "Again by:", "0.57\u00b0", "Three cycles."):
+                     "What changed", "Found: friction.", "friction 90 % and nothing 10 %", "Command of this run:", "0.57\u00b0",
+                     "Three cycles."):
             self.assertIn(text, shown)
 
     def test_a_bar_is_as_long_as_its_gap(self):
@@ -350,7 +351,7 @@ class OtherPages(Folder):
         self.write(self.fleet(), "fleet.json")
         page = self.page(None, "fleet.html")
         for text in ("1 jobs done, 2 failed, 3 missing", "+80.0 %", "100.0 %", "quartiles", "friction, creep",
-                     "of all jobs without a name of theirs", "-4.9 % to +5.1 %"):
+                     "all jobs without the name of a rig", "-4.9 % to +5.1 %"):
             self.assertIn(text, page.shown)
         self.assertIn("<a href=\"reports/00/&#34;&gt;&lt;b&gt;/report.html\">", page.text)
         self.assertNotIn("more, in table.csv", page.shown)
