@@ -72,7 +72,7 @@ struct Options {
         Option("--shard", shard, "I/N", "I/N, such as 3/8: run only every N-th job, starting with the I-th; for run")
             .rare(),
         Option("--threads", threads, "COUNT",
-               "number of parallel jobs (run, or each array task of submit) or of threads (make)")
+               "number of parallel jobs of run, and of each array task of submit; number of threads of make")
             .within(1, 1024),
         Option("--job-minutes", job_minutes, "MINUTES",
                "time limit of a job, for run and submit: a slower job is stopped and counts as failed; 0: no limit")

@@ -143,7 +143,7 @@ OptionTable DiagnoseOptions::table() {
         return reportFiles(*this);
       }),
       Option("--compare", compare, "FILE",
-             "report.json of an earlier diagnosis; prints the values that changed beyond noise and intervals")
+             "report.json of an earlier diagnosis; prints the values whose change exceeds the noise and the intervals")
           .rare()
           .reads(),
       Option("--evidence", evidence,

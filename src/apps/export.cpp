@@ -214,8 +214,8 @@ int main(int argc, char** argv) {
   return runCommand<Options>(
       argc, argv,
       {"export",
-       "Writes a component in a format of another program. Notes in the file and on the terminal list what the format "
-       "cannot represent, with numbers.",
+       "Writes a component in a format of another program. Notes in the file and on the terminal list, with numbers, "
+       "what the format cannot represent.",
        {{"A property file of Adams with static curves up to 10 mm and the damping at 4 Hz and 1 mm",
          "--config component.yaml --format adams_bus --largest-displacement '10 mm' --frequency 4 --amplitude '1 mm' "
          "--output bush.bus"},

@@ -13,33 +13,33 @@
 namespace rubber_suspension::command_line {
 
 OptionTable LogOptions::table() {
-  return {
-      Option("--columns", columns_, "QUANTITY=NAME",
-             "columns of the log: time=NAME displacement=NAME force=NAME temperature=NAME, where NAME is a name or "
-             "a number from 1, optionally with a factor (force=-NAME, force=0.001*NAME); or the quantities alone, "
-             "in the order of the columns; for a bag with other topics: a field, such as force=/ft/wrench.force.z")
-          .rare(),
-      Option("--unit", unit_, "QUANTITY=UNIT", "units of columns, such as displacement=mm force=kN time=ms").rare(),
-      Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
-             "sampling rate of a log without a time column, or instead of stamps that are equal, swapped or rounded")
-          .rare(),
-      Option("--decimal", decimal_, "MARK",
-             "decimal mark of a text log: . or , (point or comma); force=, sets the mark of a single column")
-          .rare(),
-      Option("--segment", segment_, "NUMBER",
-             "number of the log to read from a file with several logs, from 1; all: every log")
-          .rare(),
-      Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
-             "longest time without numbers that is interpolated (default: 0.5 if 99 % of the rows have numbers)")
-          .rare(),
-      Option("--sentinel", sentinel_, "NUMBER",
-             "number that marks missing values, or none (default: a number that recurs far outside all others)")
-          .rare(),
-      Option("--clock", clock_, "CLOCK",
-             "times of the messages in a bag: header (their stamps) or receipt (times of recording, for messages "
-             "without stamps)")
-          .rare(),
-      Option("--large", large_, "also read a compressed file that expands more than a hundred times").rare()};
+  return {Option("--columns", columns_, "QUANTITY=NAME",
+                 "columns of the log: time=NAME displacement=NAME force=NAME temperature=NAME, where NAME is a name or "
+                 "a number from 1, optionally with a factor (force=-NAME, force=0.001*NAME); or the names of the "
+                 "quantities alone, in the order of the columns; for a bag with other topics, NAME is a field, as in "
+                 "force=/ft/wrench.force.z")
+              .rare(),
+          Option("--unit", unit_, "QUANTITY=UNIT", "units of columns, such as displacement=mm force=kN time=ms").rare(),
+          Option("--sampling-rate", Quantity{&sampling_rate_, "Hz"}, "HZ",
+                 "sampling rate of a log without a time column, or with stamps that are equal, swapped or rounded")
+              .rare(),
+          Option("--decimal", decimal_, "MARK",
+                 "decimal mark of a text log: . or , (point or comma); force=, sets the mark of a single column")
+              .rare(),
+          Option("--segment", segment_, "NUMBER",
+                 "number of the log to read from a file with several logs, from 1; all: every log")
+              .rare(),
+          Option("--bridge", Quantity{&bridge_, "s", element::Range::closed(0.0, 3600.0)}, "SECONDS",
+                 "longest time without numbers that is interpolated (default: 0.5 if 99 % of the rows have numbers)")
+              .rare(),
+          Option("--sentinel", sentinel_, "NUMBER",
+                 "number that marks missing values, or none (default: a number that recurs far outside all others)")
+              .rare(),
+          Option("--clock", clock_, "CLOCK",
+                 "times of the messages in a bag: header (their stamps) or receipt (times of recording, for messages "
+                 "without stamps)")
+              .rare(),
+          Option("--large", large_, "also read a compressed file that expands more than a hundred times").rare()};
 }
 
 Option LogOptions::acceptUnits() {

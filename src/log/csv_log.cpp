@@ -286,7 +286,7 @@ class CsvLogReader {
     restart_rate_ = restarts && restarts_ == 0 ? rules_->rate() : restart_rate_;
     restarts_ += restarts ? 1 : 0;
     endSegment(true);
-    border_ = restarts ? "" : fmt::format(", in which the rows after the blank line {} begin another log", blank_line_);
+    border_ = restarts ? "" : fmt::format(" (another log, because line {} is blank)", blank_line_);
     beginRows();
   }
 

@@ -92,7 +92,7 @@ void setColumn(LogFormat& format, const std::string& entry, std::size_t place) {
   element::refuseIf(channel == nullptr || channel->column.empty(),
                     "--columns: {}{}; accepted: time=NAME, displacement=NAME, force=NAME, temperature=NAME, where NAME "
                     "is a name in the header or a column's number, optionally with a factor (force=-NAME, "
-                    "force=0.001*NAME); or these words alone, in the order of the columns",
+                    "force=0.001*NAME); or the names of the quantities alone, in the order of the columns",
                     quoted(entry), element::didYouMean(quantity, {"time", "displacement", "force", "temperature"}));
   if (given_twice) {
     throw std::invalid_argument(fmt::format("--columns: {} is given twice; accepted: once", quantity));

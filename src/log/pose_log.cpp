@@ -78,8 +78,8 @@ PoseLog readPoseLog(const std::string& path, const LogFormat& format) {
         return !contains(note, " is ignored") && !contains(note, " ignored");
       });
     } else if (log.stamp != poses.stamp) {
-      throw LogError(fmt::format("{}: some rows lack {} and {}; accepted: rows with all six directions", path,
-                                 kCoordinates[0], kCoordinates[direction]));
+      throw LogError(fmt::format("{}: {} and {} have numbers in different rows; accepted: rows with all six directions",
+                                 path, kCoordinates[0], kCoordinates[direction]));
     }
     poses.units = log.units == UnitsAre::named ? poses.units : log.units;
     poses.coordinate[direction] = std::move(log.displacement);

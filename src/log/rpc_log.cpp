@@ -143,7 +143,7 @@ class RpcFile {
     header_.oneOf("FILE_TYPE", "TIME_HISTORY", {"TIME_HISTORY"});
     is_float_ = header_.oneOf("DATA_TYPE", "SHORT_INTEGER", {"SHORT_INTEGER", "FLOATING_POINT"}) == "FLOATING_POINT";
     if (is_float_ && format == "BINARY") {
-      notes_.emplace_back("FORMAT is BINARY: numbers taken as IEEE, little end first");
+      notes_.emplace_back("FORMAT is BINARY: the numbers are read as IEEE, little-endian");
     }
     header_.oneOf("HALF_FRAMES", "0", {"0"});
     channels_ = header_.number("CHANNELS", 1, kMostChannels);

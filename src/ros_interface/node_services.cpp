@@ -111,7 +111,7 @@ void NodeServices::advertisePromotions() {
                        [this, channel](const Trigger::Request&) { return promote(*channel); });
     advertise<Trigger>(handle_, channel->name() + "/rollback", [this, channel](const Trigger::Request&) {
       channel->rollBack();
-      return fmt::format("returns to the configured model within {:g} s of stamps", settings_.promotion.fade);
+      return fmt::format("returns to the configured model within {:g} s, by the stamps", settings_.promotion.fade);
     });
   }
 }
@@ -190,7 +190,7 @@ std::string NodeServices::promote(node::ComponentChannel& channel) const {
     model = settings_.without_rig ? model.withoutRig() : model;
   }
   channel.promote(model);
-  return fmt::format("{}: runs in the shadow for {:g} s of stamps, then a cross-fade of {:g} s", source,
+  return fmt::format("{}: runs in the shadow for {:g} s, by the stamps; then a cross-fade of {:g} s follows", source,
                      settings_.promotion.shadow, settings_.promotion.fade);
 }
 

@@ -243,7 +243,7 @@ std::vector<io::ComponentDescription> readComponents(const ros::NodeHandle& priv
 std::string describeNodeSettings() {
   constexpr const char* kLine = "  ~{:18} {}\n";
   std::string text = fmt::format(kLine, "config_file", "path of the component file") +
-                     fmt::format(kLine, "components", "the content of such a file, instead of config_file");
+                     fmt::format(kLine, "components", "content of a component file, instead of config_file");
   NodeSettings defaults;
   for (const Setting& setting : settingsTable(defaults)) {
     text += fmt::format(kLine, setting.name, setting.documentation + "; " + accepted(setting));

@@ -54,7 +54,8 @@ json toJson(const XmlRpcValue& value, int depth) {
       }
       return result;
     default:
-      throw std::invalid_argument("contains a date, binary data or nothing; accepted: numbers, text, lists and maps");
+      throw std::invalid_argument(
+          "contains a date, binary data or an empty value; accepted: numbers, text, lists and maps");
   }
 }
 
