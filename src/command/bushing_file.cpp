@@ -202,7 +202,7 @@ std::string couplingNote(const Bushing& bushing, const BushingFileOptions& optio
                           : (couplingWord(bushing) == "uncoupled") != (bushing.translation == Coupling::rectangular) ||
                                 bushing.rotation != bushing.translation;
   return !lost   ? ""
-         : adams ? "coupling: the file cannot represent it; each direction has a curve of its own"
+         : adams ? "coupling: the file cannot represent the coupling, because each direction has a separate curve"
                  : fmt::format("coupling: the file has a single coupling for forces and moments, '{}'",
                                couplingWord(bushing));
 }

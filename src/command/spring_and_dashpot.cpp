@@ -59,9 +59,8 @@ SpringAndDashpot springAndDashpot(const component::Component& component, const W
 std::string toYaml(const std::string& name, const SpringAndDashpot& values, const WorkingPoint& at) {
   const std::complex<double> stiffness(values.stiffness, 2.0 * element::kPi * at.frequency * values.damping);
   return fmt::format(
-             "# {}, by rubber_suspension: spring and dashpot in parallel; like the component they have\n"
-             "# {} at {}\n"
-             "k_N_per_m: {:.9g}\nc_Ns_per_m: {:.9g}\nk_N_per_mm: {:.9g}\nc_Ns_per_mm: {:.9g}\n",
+             "# {}, by rubber_suspension: spring and dashpot in parallel, with the values of the component:\n# {} at "
+             "{}\nk_N_per_m: {:.9g}\nc_Ns_per_m: {:.9g}\nk_N_per_mm: {:.9g}\nc_Ns_per_mm: {:.9g}\n",
              name, text(stiffness), text(at), values.stiffness, values.damping, 1e-3 * values.stiffness,
              1e-3 * values.damping) +
          asComments(values.notes, "#");

@@ -40,9 +40,9 @@ class RpcHeader {
     std::array<char, kRecord> record{};
     std::size_t blocks = 1;
     for (std::size_t i = 0; i < blocks * kBlock / kRecord; ++i) {
-      element::refuseIf<std::runtime_error>(!file.read(record.data(), record.size()),
-                                            "the header ends in record {}; accepted: {} blocks of 512 bytes", i + 1,
-                                            blocks);
+      element::refuseIf<std::runtime_error>(
+          !file.read(record.data(), record.size()),
+          "the header ends in record {}; accepted: a header of {} blocks of 512 bytes", i + 1, blocks);
       const std::string key = fieldText(record.data(), kKey);
       if (!key.empty()) {
         const bool is_new = values_.emplace(key, fieldText(record.data() + kKey, kRecord - kKey)).second;

@@ -400,7 +400,7 @@ void ComponentChannel::promote(const io::ComponentDescription& description) {
 void ComponentChannel::rollBack() {
   const std::lock_guard<std::mutex> lock(mutex_);
   element::refuseIf(!isBeside() || promotion_->fade.stage() == RunStage::rolling_back,
-                    "{}: no model is promoted; the force is already that of the configured model", name_);
+                    "{}: no model is promoted; the configured model already gives the force", name_);
   promotion_->note.clear();
   promotion_->fade.giveBack();
 }

@@ -91,7 +91,7 @@ std::string originOfParameter(const std::string& name) {
   }
   const bool launched = any([](const std::string& argument) { return argument.compare(0, 7, "__log:=") == 0; });
   return fmt::format("the private parameter ~{}{}", name,
-                     launched ? " of a launch file" : ", whose value is at the master");
+                     launched ? " of a launch file" : ", which is set at the ROS master");
 }
 
 namespace {

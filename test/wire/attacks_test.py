@@ -442,7 +442,7 @@ class Masters(Attack):
         node = self.network.start([SIMULATE], "simulate")
         self.assertEqual(node.process.wait(20.0), 1)
         self.assertIn("/nowhere/kept.yaml", node.output())
-        self.assertIn("the private parameter ~config_file, whose value is at the master", node.output())
+        self.assertIn("the private parameter ~config_file, which is set at the ROS master", node.output())
         self.assertEqual(self.network.master.getParam(tcpros.CALLER, NODE + "/config_file")[2], "/nowhere/kept.yaml")
         node = self.start()
         self.network.call(NODE + "/reset")
