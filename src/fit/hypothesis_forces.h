@@ -40,7 +40,7 @@ class HypothesisForces {
   /// Returns true if the force of the model is the sum of the forces of its elements.
   bool isAdditive() const { return !of_model_.displaces && !of_model_.scales; }
 
-  /// Returns the force of each log [N]; nullopt if elementsOf() returns nullopt.
+  /// Returns the force of each log [N], or nullopt if no elements have these parameters (elementsOf()).
   std::optional<gap::Forces> at(const Hypothesis& hypothesis, const ParameterVector& parameters) const;
 
   /// Returns the force of each log minus its force with other scales of the same terms [N]. Throws

@@ -138,7 +138,8 @@ double distance(const component::Wrench& a, const component::Wrench& b) {
   return std::max((a.force - b.force).norm() / b.force.norm(), (a.moment - b.moment).norm() / b.moment.norm());
 }
 
-// Both bushings use Simbody's definition: body-fixed x-y-z angles, and forces along the axes of A at the bushing on B.
+// Both bushings use Simbody's definition: body-fixed x-y-z angles, and forces that act at the frame on B along the axes
+// of the frame on A.
 TEST(SixDirectionsInSimbody, CardanAnglesEqualTheLinearBushing) {
   TwoBodies bodies;
   const SixDirections bush = bodies.bush(component::RotationMeasure::cardan);

@@ -40,7 +40,7 @@ struct DiagnoseOptions {
   command_line::OptionTable table();
 };
 
-/// Returns the target of an option whose value is a share, such as "10 %" or 0.1, between `least` and `most`.
+/// Returns `value` as the target of an option that accepts a share, such as "10 %" or 0.1, from `least` to `most`.
 command_line::Quantity share(double& value, double least, double most);
 
 /// These functions show and remove the progress. They do nothing unless stderr is a terminal.

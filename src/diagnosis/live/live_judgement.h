@@ -108,7 +108,7 @@ class LiveJudgement {
 
   LiveVerdict now() const;
 
-  /// Returns the stamp of the last change in the level of the error of the configured model [ns], or nullopt.
+  /// Returns the stamp [ns] at which the error of the configured model last changed its level; nullopt if it never did.
   std::optional<std::int64_t> regimeBegin() const;
 
   static constexpr int kAgreeing = 2;

@@ -21,7 +21,7 @@ struct Sizes {
 /// are percentiles over resampled blocks of the logs. Each resample moves the fit by one step of its own normal
 /// equations within the bounds. It also varies the prior values of the model by their standard deviations, and the
 /// numbers of each effect by its form error. Intervals of values of the model and of headline numbers include all laws
-/// that have them. A number of a single element in one law corresponds to the total over the elements in another.
+/// that have them. There, numbers of a single element are pooled with totals over several elements of another law.
 Sizes sizesOf(const fit::HypothesisFitter& fitter, const std::vector<WeighedLaw>& laws,
               const std::vector<double>& form_error, const hypotheses::Search& search, const DiagnosisOptions& options);
 

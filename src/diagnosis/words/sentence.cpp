@@ -211,7 +211,7 @@ double shareOfValues(const Diagnosis& diagnosis) {
   return diagnosis.shares.empty() ? 0.0 : diagnosis.shares.front().share;
 }
 
-// Returns "of the gap as configured, friction removes 84 % and other values remove 6 %".
+// Returns "of the gap as configured, friction removes 84 % and other parameter values remove 6 %".
 std::string sharesText(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (auto part = diagnosis.shares.rbegin(); part != diagnosis.shares.rend(); ++part) {
