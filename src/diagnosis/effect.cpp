@@ -24,7 +24,7 @@ std::vector<Effect> inOrder() {
   const auto twice =
       std::adjacent_find(list.begin(), list.end(), [](const Effect& a, const Effect& b) { return a.place == b.place; });
   if (twice != list.end()) {
-    throw std::logic_error("two effects claim place " + std::to_string(twice->place));
+    throw std::logic_error("two effects have the same place: " + std::to_string(twice->place));
   }
   return list;
 }

@@ -260,29 +260,30 @@ struct Invariant {
 constexpr Invariant kInvariants[] = {
     {"effects are named if and only if the verdict names effects", verdictHasItsEffects},
     {"the probabilities add up to 1", posteriorIsOne},
-    {"the verdict is the most probable", verdictIsTheLikeliest},
-    {"unknown: no set of effects halves the residual", nothingHalvesTheUnknown},
-    {"effects are as probable as the sets that contain them", candidatesAreOfTheSets},
-    {"the first set is the one named", firstSetIsNamed},
+    {"the verdict is the most probable explanation", verdictIsTheLikeliest},
+    {"with the verdict unknown, no set of effects halves the residual", nothingHalvesTheUnknown},
+    {"the probabilities of effects agree with the sets that contain them", candidatesAreOfTheSets},
+    {"the first set in the list is the named set", firstSetIsNamed},
     {"no set contains an improbable effect", setsAreProbable},
     {"alternatives are sorted by probability", alternativesFollow},
     {"no other fit predicts unseen data better", noFitPredictsBetter},
     {"the noise floor is not above any gap", floorIsLeast},
-    {"named: the gap falls and the interval excludes 0, or the data sheet is right", whatIsNamedCloses},
-    {"closed agrees with the gaps", closedIsOfTheGaps},
-    {"the interval contains closed", intervalHoldsWhatIsClosed},
+    {"with the verdict named, the gap falls and its interval excludes 0, or the data sheet is right",
+     whatIsNamedCloses},
+    {"the share closed agrees with the gaps", closedIsOfTheGaps},
+    {"the interval contains the share closed", intervalHoldsWhatIsClosed},
     {"the headline has the largest change", headlineIsTheLargest},
-    {"an interval that ends at a bound says so", boundsAreSaid},
+    {"an interval that ends at a bound is marked", boundsAreSaid},
     {"reasons agree with the gaps", reasonsAgree},
     {"the parts removed from the logs add up", takenOutAddsUp},
     {"the parts removed from the logs explain the gaps", takenOutExplainsTheGaps},
-    {"the shares of where add up to 1", whereIsOne},
-    {"the cells of where add up to the gap", whereAddsUp},
+    {"the shares in `where` add up to 1", whereIsOne},
+    {"the cells in `where` add up to the gap", whereAddsUp},
     {"shares add up to the removed part of the gap", sharesAddUp},
     {"the written file is not worse on any log", fileLeavesNoMore},
-    {"numbers of named effects are those of the file", numbersAreOfTheFile},
+    {"the numbers of named effects equal the numbers in the written file", numbersAreOfTheFile},
     {"each named effect removes some of the gap", eachEffectRemoves},
-    {"unknown or partly: there is a surrogate", surrogateIsThere},
+    {"with the verdict unknown or partly, there is a surrogate", surrogateIsThere},
     {"there is a next experiment, or a reason for none", [](const Diagnosis& d) { return !d.next.text.empty(); }}};
 
 Admission asRecorded(Admission log) {
@@ -317,7 +318,8 @@ Diagnosis heldToInvariants(Diagnosis diagnosis) {
   told.sentence = fmt::format(
       "No verdict: this report would contradict itself ({}). This is a defect of rubber_suspension, not of the logs.",
       told.defect);
-  told.next.text = "None: please report the defect with report.json and evidence.json (option --evidence).";
+  told.next.text =
+      "No experiment is proposed: please report the defect with report.json and evidence.json (option --evidence).";
   told.samples = diagnosis.samples;
   for (const Admission& log : diagnosis.logs.admission) {
     told.logs.admission.push_back(asRecorded(log));

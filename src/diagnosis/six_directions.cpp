@@ -162,7 +162,7 @@ void subtractSimulated(const component::SixDirections& component, const log::Pos
 
 void requireDirections(const io::ComponentDescription& component, const std::vector<Direction>& directions) {
   if (!component.six) {
-    throw std::invalid_argument("has one direction; accepted: without --direction");
+    throw std::invalid_argument("has one direction; accepted: no option --direction");
   }
   if (directions.empty()) {
     throw std::invalid_argument(fmt::format("has six directions; accepted: --direction with one or more of {}",

@@ -296,27 +296,29 @@ class InvariantsTest(unittest.TestCase):
         gap = report_of("named", ["creep"])["gap"]
         for name, changes in (
                 ("no set contains an improbable effect", {"confounded": [["creep"], ["friction"]]}),
-                ("the first set is the one named", {"confounded": [["friction"]]}),
-                ("effects are as probable as the sets that contain them", {"candidates": [{"effect": "creep", "probability": 0.5,
+                ("the first set in the list is the named set", {"confounded": [["friction"]]}),
+                ("the probabilities of effects agree with the sets that contain them", {
+                    "candidates": [{"effect": "creep", "probability": 0.5,
                                                                            "gap": 0.02}]}),
                 ("alternatives are sorted by probability", {"alternatives": [{"probability": 0.1}, {"probability": 0.2}]}),
                 ("the headline has the largest change", {
                     "sentence": "K_n is 10 % too low in the component file",
                     "model_sizes": [{"configured": 1.0, "value": v, "interval_95": [0.9 * v, 1.02 * v]}
                                     for v in (2.0, 1.1)]}),
-                ("an interval that ends at a bound says so", {
+                ("an interval that ends at a bound is marked", {
                     "effect_sizes": [{"value": 2.0, "interval_95": [0.0, 3.0], "at_bound": [False, False]}]}),
-                ("closed agrees with the gaps", {"gap": dict(gap, augmented=0.06)}),
+                ("the share closed agrees with the gaps", {"gap": dict(gap, augmented=0.06)}),
                 ("no other fit predicts unseen data better", {
                     "trials": [{"effects": [], "in_sample": 0.07, "held_out": 0.02, "chi_squared": 0.0}]}),
                 ("the noise floor is not above any gap", {"gap": dict(gap, noise_floor=0.05)}),
                 ("effects are named if and only if the verdict names effects", {"effects": []}),
-                ("the verdict is the most probable", {"posterior": {"none": 0.6, "parameter_error": 0.0, "effects": 0.4,
+                ("the verdict is the most probable explanation", {
+                    "posterior": {"none": 0.6, "parameter_error": 0.0, "effects": 0.4,
                                                                 "none_of_these": 0.0}}),
-                ("the shares of where add up to 1", {"where": [{"share": 0.5}]}),
-                ("the interval contains closed", {"closed": {"fraction": 0.99, "interval_95": [0.2, 0.5]}})):
+                ("the shares in `where` add up to 1", {"where": [{"share": 0.5}]}),
+                ("the interval contains the share closed", {"closed": {"fraction": 0.99, "interval_95": [0.2, 0.5]}})):
             self.assertIs(invariants.checked(dict(report_of("named", ["creep"]), **changes))[name], False, name)
-        self.assertIs(invariants.checked(report_of("defect", defect="the shares of where add up to 1"))[
+        self.assertIs(invariants.checked(report_of("defect", defect="the shares in `where` add up to 1"))[
             "no invariant was broken within the diagnosis"], False)
         self.assertIs(invariants.checked(report_of("unknown", next_experiment=""))[
             "a next experiment where confounded or unknown"], False)
@@ -341,8 +343,8 @@ class ScoreTest(unittest.TestCase):
         result = score.score([good, self.case(report_of("defect", defect="x"), run=run), self.case(None)])
         self.assertEqual(result["rows"]["cases with a report"]["hits"], 2)
         self.assertEqual(result["rows"]["reports without a defect"]["hits"], 1)
-        self.assertEqual(result["rows"]["rule: the shares of where add up to 1"]["rate"], 1.0)
-        self.assertIn("| rule: the shares of where add up to 1 | 100 % (2/2, 34 to 100 %) |", score.markdown(result))
+        self.assertEqual(result["rows"]["rule: the shares in `where` add up to 1"]["rate"], 1.0)
+        self.assertIn("| rule: the shares in `where` add up to 1 | 100 % (2/2, 34 to 100 %) |", score.markdown(result))
         self.assertIn("median 2.0 s, 95 % below 2.0 s, longest 2.0 s; peak memory 1 MiB", score.markdown(result))
 
 

@@ -30,7 +30,7 @@ def verdict_has_its_effects(report):
     return bool(report["effects"]) == (report["verdict"] in NAMING)
 
 
-@rule("named: the gap falls and the interval excludes 0, or the data sheet is right", NAMING)
+@rule("with the verdict named, the gap falls and its interval excludes 0, or the data sheet is right", NAMING)
 def named_closes(report):
     """Check that the gap falls with a closed share above 0, or that values come nearer to the data sheet."""
     gap = report["gap"]
@@ -43,7 +43,7 @@ def named_closes(report):
     return gap["augmented"] < gap["as_configured"] and named < values
 
 
-@rule("closed agrees with the gaps", NAMING)
+@rule("the share closed agrees with the gaps", NAMING)
 def closed_is_of_the_gaps(report):
     gap = report["gap"]
     span = gap["re_estimated"] - gap["noise_floor"]
@@ -54,7 +54,7 @@ def closed_is_of_the_gaps(report):
     return abs(min(fraction, 1.0) - min(report["closed"]["fraction"], 1.0)) <= SLACK
 
 
-@rule("the interval contains closed", NAMING)
+@rule("the interval contains the share closed", NAMING)
 def interval_holds_the_fraction(report):
     low, high = report["closed"]["interval_95"]
     return low - SLACK <= report["closed"]["fraction"] <= high + SLACK
@@ -95,7 +95,7 @@ def posterior_is_one(report):
     return abs(sum(report["posterior"].values()) - 1.0) <= SLACK
 
 
-@rule("the verdict is the most probable", WEIGHED)
+@rule("the verdict is the most probable explanation", WEIGHED)
 def verdict_is_the_likeliest(report):
     """Check that the kind of the verdict has the largest posterior probability."""
     says = {"none": "none", "parameter_error": "parameter_error", "unknown": "none_of_these", "named": "effects",
@@ -107,7 +107,7 @@ def probability_of(report, effect):
     return max((c["probability"] for c in report["candidates"] if c["effect"] == effect), default=0.0)
 
 
-@rule("effects are as probable as the sets that contain them", WEIGHED)
+@rule("the probabilities of effects agree with the sets that contain them", WEIGHED)
 def candidates_are_of_the_sets(report):
     """Check that all sets together are as probable as any effect, and not more than the sum over the effects."""
     effects = report["posterior"]["effects"]
@@ -117,7 +117,7 @@ def candidates_are_of_the_sets(report):
     return max(probabilities) <= effects + SLACK and sum(probabilities) >= effects - SLACK
 
 
-@rule("the first set is the one named", NAMING)
+@rule("the first set in the list is the named set", NAMING)
 def first_set_is_named(report):
     return sorted(report["confounded"][0]) == sorted(report["effects"])
 
@@ -175,7 +175,7 @@ def file_leaves_no_more(report):
     return not any(one["effect"] in written for one in report.get("withheld", []))
 
 
-@rule("numbers of named effects are those of the file", NAMING)
+@rule("the numbers of named effects equal the numbers in the written file", NAMING)
 def numbers_are_of_the_file(report):
     if "table" in report or "withheld" not in report:
         return None
@@ -191,19 +191,19 @@ def each_effect_removes(report):
     return all(report["squares_removed_at_least"][effect] > 0.0 for effect in report["effects"])
 
 
-@rule("an interval that ends at a bound says so")
+@rule("an interval that ends at a bound is marked")
 def bounds_are_said(report):
     """Check that the interval of a size is marked as a bound if it ends at 0."""
     return all(size["at_bound"][0] for size in report.get("effect_sizes", [])
                if size["interval_95"][0] == 0.0 and size["value"] > 0.0)
 
 
-@rule("the shares of where add up to 1")
+@rule("the shares in `where` add up to 1")
 def where_is_one(report):
     return None if not report["where"] else abs(sum(cell["share"] for cell in report["where"]) - 1.0) <= SLACK
 
 
-@rule("the cells of where add up to the gap")
+@rule("the cells in `where` add up to the gap")
 def where_adds_up(report):
     if "table" in report or not report["where"] or "squared_gap" not in report["where"][0] or "left_of_logs" not in report:
         return None
@@ -216,7 +216,7 @@ def next_experiment_is_there(report):
     return bool(report["next_experiment"].strip())
 
 
-@rule("unknown or partly: there is a surrogate", ("unknown", "partly"))
+@rule("with the verdict unknown or partly, there is a surrogate", ("unknown", "partly"))
 def surrogate_is_there(report):
     return None if "table" in report else "surrogate" in report
 

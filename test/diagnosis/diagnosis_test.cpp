@@ -123,7 +123,10 @@ TEST(Excluded, IsNotNamedButTold) {
   for (const diagnosis::ExcludedEffect& one : result.answer.excluded) {
     EXPECT_GT(one.probability_otherwise, 0.5) << one.effect;
   }
-  EXPECT_THAT(result.sentence, ::testing::HasSubstr("Excluded by the component file: otherwise friction would be "));
+  EXPECT_THAT(
+      result.sentence,
+      ::testing::HasSubstr(
+          "Effects excluded by the component file: without this exclusion, the probability of friction would be "));
   EXPECT_LT(result.gaps.unseen.noise_floor, 0.5 * result.gaps.unseen.augmented);
   EXPECT_EQ(result.law.augmented.excluded_effects, component.excluded_effects);
 }

@@ -185,7 +185,8 @@ TEST(Excerpts, LeaveOutStretchesBetweenTimeGapsThatAreTooShort) {
   ASSERT_EQ(excerpts.logs.size(), 2U);
   EXPECT_EQ(excerpts.hold_out.size(), 2U);
   EXPECT_EQ(samplesOf(excerpts.logs), log.size() - 50);
-  EXPECT_THAT(excerpts.logs.front().notes, testing::Contains(testing::HasSubstr("50 samples between them left out")));
+  EXPECT_THAT(excerpts.logs.front().notes,
+              testing::Contains(testing::HasSubstr("50 samples between the gaps are skipped")));
 }
 
 TEST(Excerpts, ALongLogIsDiagnosedByThem) {

@@ -52,8 +52,9 @@ TEST(Experiments, HaveMotionsOfEveryKind) {
   for (const Experiment& experiment : experimentMenu(someBounds(-0.002, 0.002))) {
     kinds.insert(experiment.kind);
   }
-  EXPECT_THAT(kinds, testing::IsSupersetOf({"sine", "sweep", "multisine", "steps", "hold", "triangle", "preload",
-                                            "small after large", "amplitudes", "repeat", "standstill"}));
+  EXPECT_THAT(kinds,
+              testing::IsSupersetOf({"sine", "sweep", "multisine", "steps", "hold", "triangle", "preload",
+                                     "small amplitude after a large one", "amplitudes", "repeat", "standstill"}));
 }
 
 TEST(Experiments, AreNoneWhereTheBoundsLeaveNoRoom) {
@@ -266,7 +267,7 @@ TEST_F(Rivals, ProposeNothingThatSettlesNextToNothing) {
   const auto none = diagnosis::experiment::nextExperiment(fitter_, workings_, limits, 1);
   EXPECT_TRUE(none.proposed.displacement.empty());
   const std::string text = diagnosis::words::experimentText({}, none);
-  EXPECT_THAT(text, testing::StartsWith("None within the limits"));
+  EXPECT_THAT(text, testing::StartsWith("No motion within the limits decides"));
   EXPECT_THAT(text, testing::HasSubstr("would not be enough"));
 
   single("viscous_damping").fit.parameters.scales[0] = 2e3;

@@ -80,7 +80,7 @@ TEST(Lines, AreNamedAsHarmonicsAndAliases) {
   ASSERT_THAT(lines.findings, SizeIs(6));
   EXPECT_THAT(lines.findings[0].text, HasSubstr("31.0 Hz, "));
   EXPECT_THAT(lines.findings[1].text, HasSubstr("mains or a pump, harmonic 2 of 31.0 Hz"));
-  EXPECT_THAT(lines.findings[2].text, HasSubstr("perhaps 180 Hz, which 250 samples per second show there"));
+  EXPECT_THAT(lines.findings[2].text, HasSubstr("perhaps an alias of 180 Hz at 250 samples per second"));
 }
 
 TEST(Lines, AreInAllLogs) {

@@ -29,7 +29,7 @@ TEST(OwnErrors, OfOneLogIsAFindingOfThatLog) {
   const diagnosis::Diagnosis result = checkedDiagnosis(rigComponent(), logs, {});
   EXPECT_EQ(result.answer.verdict, diagnosis::Verdict::none) << result.sentence;
   EXPECT_TRUE(result.law.augmented.add.empty());
-  EXPECT_THAT(result.sentence, HasSubstr("Log log 2 reads 10 % more than the others."));
+  EXPECT_THAT(result.sentence, HasSubstr("Log log 2 has forces 10 % higher than the other logs."));
   std::vector<std::string> with_gain;
   for (const measurement::RigFinding& finding : result.rig_findings) {
     if (finding.finding == measurement::finding::kSensorGain) {

@@ -253,7 +253,7 @@ TEST(InWords, HasWhatTheFirstScreenShows) {
   const auto report = nlohmann::json::parse(toJson(d));
   const auto& words = report.at("in_words");
   EXPECT_EQ(words.at("headline"), "The model lacks friction: gap 12.0 % to 2.0 %.");
-  EXPECT_EQ(words.at("verdict"), "the model lacks what is named here");
+  EXPECT_EQ(words.at("verdict"), "the model lacks the effects named here");
   EXPECT_EQ(words.at("probability"), "97 %");
   EXPECT_EQ(words.at("gap").dump(),
             R"({"as_configured":"14.0 %","augmented":"2.0 %","noise_floor":"1.5 %","re_estimated":"12.0 %"})");
@@ -322,9 +322,9 @@ TEST(Sentence, SaysWhichLogReadsOtherwise) {
     return finding;
   };
   d.rig_findings = {gain("b", 0.098)};
-  EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr("Log b reads 10 % more than the others."));
+  EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr("Log b has forces 10 % higher than the other logs."));
   d.rig_findings = {gain("b", -0.052)};
-  EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr("Log b reads 5 % less than the others."));
+  EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr("Log b has forces 5 % lower than the other logs."));
   d.rig_findings = {gain("a", 0.15), gain("b", 0.045), gain("c", 0.155)};
   EXPECT_THAT(diagnosis::words::sentence(d),
               HasSubstr("Logs a and c read 10 % more than b; the logs do not determine which of them are right."));

@@ -62,7 +62,7 @@ def report():
                        "iso18571": {side: {"corridor": 0.9, "phase": 0.9, "magnitude": 0.9, "slope": 0.9, "total": 0.9,
                                            "grade": "good"} for side in ("as_configured", "augmented")} | {"repeats": True}}],
         "in_words": {
-            "headline": "The model lacks friction: gap 12.0 % to 2.0 %.", "verdict": "the model lacks what is named here",
+            "headline": "The model lacks friction: gap 12.0 % to 2.0 %.", "verdict": "the model lacks the effects named here",
             "probability": "97 %", "closed": ["94", "92", "100"],
             "gap": {"as_configured": "14.0 %", "re_estimated": "12.0 %", "augmented": "2.0 %", "noise_floor": "1.5 %"},
             "shares": [{"by": "values", "share": "14 %"}, {"by": "friction", "share": "72 %"}],

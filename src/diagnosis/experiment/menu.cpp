@@ -168,7 +168,7 @@ class Menu {
     }
     add({"sweep", length, 1.0 / lowest_, highest_, 1.0,
          [=](double t) { return std::min(1.0, full_ / (lowest_ * std::exp(rise * t))) * std::sin(phase(t)); },
-         words + fmt::format(" up to {:.3g} Hz and at the same speed above", full_)});
+         words + fmt::format(" up to {:.3g} Hz and at constant speed above this frequency", full_)});
   }
 
   // Adds multisines with odd or even harmonics of equal speed, and with phases that keep the peak low (Schroeder).
@@ -240,7 +240,7 @@ class Menu {
              const double fade = std::min(eased(t - cycle, cycle), eased((cycles - 1.0) * cycle - t, cycle));
              return side * 0.5 + 0.3 * fade * std::sin(omega * t);
            },
-           fmt::format("preload of # mm, then a sine at {:.3g} Hz with # mm about it", full_),
+           fmt::format("preload of # mm, then a sine at {:.3g} Hz with an amplitude of # mm about this preload", full_),
            {side / 1.6, 0.6 / 1.6}});
     }
   }
@@ -257,9 +257,10 @@ class Menu {
              const double third = (part[2] - part[1]) * eased(t - 2.0 * phase, 1.0 / full_);
              return (part[0] + second + third) * std::sin(omega * t);
            },
-           fmt::format("sine at {:.3g} Hz: {:.0f} cycles each with # mm, # mm and # mm", full_, cycles), part});
+           fmt::format("sine at {:.3g} Hz: {:.0f} cycles each with amplitudes of # mm, # mm and # mm", full_, cycles),
+           part});
     };
-    addParts("small after large", {0.2, 1.0, 0.2});
+    addParts("small amplitude after a large one", {0.2, 1.0, 0.2});
     addParts("amplitudes", {0.1, 0.3, 1.0});
     addParts("amplitudes", {1.0, 0.3, 0.1});
   }
@@ -275,10 +276,13 @@ class Menu {
       return std::min(eased(t, cycle), eased(part - t, cycle)) * std::sin(omega * t);
     };
     add({"repeat", 4.0 * part, cycle, full_, 1.0, [=](double t) { return burst(t) + burst(t - 3.0 * part); },
-         fmt::format("5 cycles at {:.3g} Hz with # mm, a rest of {:.3g} s, and the same again", full_, 2.0 * part)});
+         fmt::format("5 cycles at {:.3g} Hz with an amplitude of # mm, a rest of {:.3g} s, and the same cycles again",
+                     full_, 2.0 * part)});
     add({"standstill", standing > cycle ? length : 0.0, cycle, full_, 1.0,
          [=](double t) { return burst(t - standing); },
-         fmt::format("{:.3g} s at 0, 5 cycles at {:.3g} Hz with # mm, and {:.3g} s at 0", standing, full_, standing)});
+         fmt::format(
+             "rest of {:.3g} s at 0, 5 cycles at {:.3g} Hz with an amplitude of # mm, and rest of {:.3g} s at 0",
+             standing, full_, standing)});
     add({"long sine", length, cycle, full_, 1.0, [=](double t) { return std::sin(omega * t); },
          fmt::format("sine at {:.3g} Hz with an amplitude of # mm for {:.3g} s", full_, length)});
   }

@@ -80,8 +80,8 @@ Plan plan(const io::ComponentDescription& component, const std::vector<log::Log>
   Plan result;
   result.component = component.name;
   result.logs = element::each(fitter.records(), plannedLog);
-  result.could_show =
-      experiment::couldShow(hypotheses::implanted(fitter, options.noise, options.threads), options.size, "as given");
+  result.could_show = experiment::couldShow(hypotheses::implanted(fitter, options.noise, options.threads), options.size,
+                                            "option --effect-size");
   return result;
 }
 

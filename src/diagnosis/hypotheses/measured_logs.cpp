@@ -125,7 +125,7 @@ Noise MeasuredLogs::estimateNoise(const FittedHypothesis& best, const Search& se
   }
   noise.floor_with_rig = std::hypot(noise.floor, commonFloor(rig, records));
   noise.source = std::string("spectrum of the residual outside the band of the excitation") +
-                 (by_displacement ? ", and noise of the displacement through the model" : "");
+                 (by_displacement ? ", and the force that the model computes from the noise of the displacement" : "");
   return noise;
 }
 

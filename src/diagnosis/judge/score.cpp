@@ -25,7 +25,7 @@ void requireLogs(const Evidence& evidence) {
     return hypothesis.log_errors.size() != evidence.logs.size() || hypothesis.sizes.size() != hypothesis.members.size();
   };
   if (evidence.logs.empty() || std::any_of(evidence.hypotheses.begin(), evidence.hypotheses.end(), lacks)) {
-    throw std::invalid_argument("evidence without a table of logs; accepted: that of `diagnose --evidence`");
+    throw std::invalid_argument("the evidence has no table of logs; accepted: a file that `diagnose --evidence` wrote");
   }
 }
 

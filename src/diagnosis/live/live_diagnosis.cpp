@@ -145,7 +145,7 @@ void LiveDiagnosis::restart() {
   augmented_model_.reset();
   block_.reset();
   findings_ = LiveFindings();
-  findings_.sentence = "there are too few samples with a measured force so far";
+  findings_.sentence = "too few samples with a measured force so far";
   candidate_.reset();
   last_look_ = 0;
   last_window_ = 0.0;

@@ -53,7 +53,7 @@ Diagnosis refused(const io::ComponentDescription& component, std::vector<measure
       break;
     }
   }
-  result.next.text = "Correct what was measured, or measure it again, and diagnose again.";
+  result.next.text = "Correct the logs or record them again, and repeat the diagnosis.";
   result.rig_findings = std::move(findings);
   return result;
 }

@@ -137,8 +137,9 @@ void addStretches(const LogSurvey& survey, log::Log log, log::LeadIn lead_in, st
     lead_ins.push_back(std::move(lead_in));
     return;
   }
-  logs[before].notes.push_back(fmt::format(
-      "{} time gaps: spectra begin again behind each; {} samples between them left out", first.size() - 1, left_out));
+  logs[before].notes.push_back(
+      fmt::format("{} time gaps: a new spectrum begins after each gap; {} samples between the gaps are skipped",
+                  first.size() - 1, left_out));
 }
 
 // Reads the excerpts of a log and their lead-ins in one pass.

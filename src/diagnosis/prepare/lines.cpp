@@ -277,7 +277,7 @@ std::string originOf(double frequency, double step, const std::vector<Line>& lin
   for (const double base : bases) {
     const int k = multipleAt(frequency, base, step, kHighestHarmonic, held);
     if (k > 0 && k * base > 0.5 / step) {
-      return fmt::format(", perhaps {:.0f} Hz, which {:.4g} samples per second show there", k * base, 1.0 / step);
+      return fmt::format(", perhaps an alias of {:.0f} Hz at {:.4g} samples per second", k * base, 1.0 / step);
     }
     if (k > 0) {
       return k == 1 ? "" : fmt::format(", harmonic {} of {:.1f} Hz", k, base);

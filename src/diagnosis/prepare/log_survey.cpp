@@ -57,9 +57,10 @@ void readAgain(const LogSurvey& survey, const log::LogSource::Take& take) {
     return false;
   });
   if (!ended) {
-    throw log::LogError(fmt::format(
-        "{}: the file changed during the reading: {} samples, {} before; accepted: a file that does not change",
-        survey.source->name(), seen, survey.samples()));
+    throw log::LogError(
+        fmt::format("{}: the file changed while it was read: it has {} samples now and had {} before; accepted: a file "
+                    "that does not change",
+                    survey.source->name(), seen, survey.samples()));
   }
 }
 

@@ -49,8 +49,8 @@ void requireMemory(const Searched& searched, std::size_t recorded, int threads, 
     const std::uint64_t fixed = memoryNeeded({0, searched.stretches}, threads);
     const std::uint64_t most = available > fixed ? (available - fixed) / bytesPerSample(threads) : 0;
     throw log::LogError(
-        fmt::format("a search that takes {} of {} samples needs about {}, and {} are available; accepted: {} samples "
-                    "(--most-samples), or fewer or shorter logs",
+        fmt::format("a search over {} of {} samples needs about {} of memory, but only {} are available; accepted: at "
+                    "most {} samples (--most-samples), or fewer or shorter logs",
                     searched.samples, recorded, readable(needed), readable(available), most));
   }
 }

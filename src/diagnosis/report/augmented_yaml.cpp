@@ -76,7 +76,7 @@ io::YamlStyle augmentedStyle(const Diagnosis& d) {
 std::string augmentedYaml(const Diagnosis& d) {
   io::YamlStyle style = augmentedStyle(d);
   style.head = originOf(d, d.gaps.unseen.augmented);
-  style.head += d.turns ? "# A rotation as a component of one direction: m stands for rad, N for N m.\n" : "";
+  style.head += d.turns ? "# This component of one direction is a rotation: m stands for rad, and N for N m.\n" : "";
   return io::toYaml({d.law.augmented}, style);
 }
 

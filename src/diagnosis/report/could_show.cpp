@@ -95,7 +95,7 @@ ordered_json implantedJson(const CouldShow& could_show, const ImplantedEffect& r
 }  // namespace
 
 std::string toText(const CouldShow& could_show) {
-  std::string text = fmt::format("simulated effects with {} of the force ({}), noise {}\n",
+  std::string text = fmt::format("simulated effects, each with {} of the force ({}); noise {}\n",
                                  percentText(could_show.size), could_show.why, percentText(could_show.noise));
   text += fmt::format("{:<25}{:<19}{:>10}  {}\n", "implanted", "would be", "least size", "other effects");
   for (const ImplantedEffect& row : could_show.implanted) {

@@ -81,7 +81,7 @@ const FindingAdvice& adviceOn(const std::string& finding) {
        {"The two channels run on clocks of different speed.",
         "Record both channels on one clock, or distribute a trigger to both recorders."}},
       {f::kSpikes,
-       {"Single samples stand far out of the signal.",
+       {"Single samples lie far outside the signal.",
         "Check plugs, shield and earth of the channel; look for switching drives beside its cable."}},
       {f::kHeldValues,
        {"The channel repeats its last value: samples were lost.",
@@ -103,7 +103,7 @@ const FindingAdvice& adviceOn(const std::string& finding) {
         "Reverse the sign of one channel, for example with --columns force=-NAME: a positive displacement must need a "
         "positive force."}},
       {f::kUnitFactor,
-       {"The values are wrong by the factor between two units.",
+       {"The values are wrong by a factor that converts one unit into another.",
         "Correct the unit in the column's name, or use an option such as --unit force=kN; if the units are correct, "
         "use --accept-units."}},
       {f::kPeakToPeak,
@@ -114,7 +114,7 @@ const FindingAdvice& adviceOn(const std::string& finding) {
        {"The contact in the component file is open while the log has a force.",
         "Reverse the sign of `side` in the element `lift_off`, or the signs of both displacement and force."}},
       {f::kConstant,
-       {"A channel measured nothing, in part of the log or throughout.",
+       {"A channel recorded no signal, in part of the log or throughout.",
         "Check its cable, its plugs and the clamps; record again, or remove this part of the log."}},
       {f::kSwappedColumns,
        {"The columns of displacement and force are swapped.", "Rename the columns, or use --columns."}},

@@ -241,12 +241,12 @@ std::string meaningOf(Verdict verdict) {
   static const std::map<Verdict, std::string> meanings = {
       {Verdict::none, "no gap beyond the noise"},
       {Verdict::parameter_error, "the model's parameter values are wrong; no effect is missing"},
-      {Verdict::named, "the model lacks what is named here"},
+      {Verdict::named, "the model lacks the effects named here"},
       {Verdict::partly, "the model lacks the effects named here and something else"},
       {Verdict::confounded, "several sets of effects explain the logs about equally well"},
       {Verdict::unknown, "no listed effect explains the gap"},
-      {Verdict::check_bench, "a log cannot be what it says"},
-      {Verdict::defect, "there is no verdict"}};
+      {Verdict::check_bench, "a log cannot be right: check the bench"},
+      {Verdict::defect, "the report contradicts itself; there is no verdict"}};
   return meanings.at(verdict);
 }
 

@@ -25,8 +25,9 @@ using words::percent;
 
 constexpr double kSaid = 0.1;  // least share of a squared residual with which a pair is named
 constexpr const char* kSixDirectionsMeaning =
-    "Share of a direction's squared residual force, with the augmented component, that the displacement of another "
-    "direction predicts beyond the motion of the direction itself, on parts of the logs that took no part in the fit";
+    "Share of the squared residual force in one direction that the displacement in another direction predicts in "
+    "addition to the motion in the first direction; computed with the augmented component, on parts of the logs that "
+    "were not used in the fit";
 
 std::string forceText(const CrossShare& pair) {
   return words::quantity(pair.force, component::isRotation(pair.of) ? "N m" : "N");
@@ -104,8 +105,10 @@ std::string componentText(const SixDirectionsDiagnosis& diagnosis) {
     const auto found = placeIn(diagnosis, place);
     return found ? report::augmentedStyle(*found->first).note(found->second) : "";
   };
-  style.head = fmt::format("# Diagnosis of {} by direction; others are as configured, except for a radial_stiffness.\n",
-                           diagnosis.component);
+  style.head = fmt::format(
+      "# Diagnosis of {}, each direction separately; the other directions are as configured, except for "
+      "radial_stiffness.\n",
+      diagnosis.component);
   for (const auto& [direction, d] : diagnosis.directions) {
     style.head += fmt::format("# {}: {}. Gap {} as configured, {} with this file; noise floor {}.\n",
                               toString(direction), toString(d.answer.verdict), percent(d.gaps.unseen.as_configured),

@@ -122,7 +122,7 @@ Difference largestDifference(const std::vector<fit::TablePoint>& menu, const Mea
 
 std::string recordALog() {
   const std::vector<std::string> names = element::each(neverShownByTables(), words::spoken);
-  return "Record a log: it also shows " + words::enumerated(names) + ", which no table does.";
+  return "Record a log: a log also shows " + words::enumerated(names) + ", which no table shows.";
 }
 
 // Proposes to measure the row in which the explanations differ most. The row is within the range of the table or, if no
@@ -130,7 +130,7 @@ std::string recordALog() {
 std::string nextRow(const MeasuredRows& measured, const Workings& workings) {
   const hypotheses::Search& search = workings.search;
   if (workings.answer.verdict == Verdict::none) {
-    return "None is needed for the effects that a table can show. " + recordALog();
+    return "No further row is needed for the effects that a table can show. " + recordALog();
   }
   const std::vector<experiment::Explanation> explanations = experiment::explanationsOf(workings);
   if (explanations.size() < 2) {
@@ -375,8 +375,9 @@ void checkRows(const io::ComponentDescription& component, const fit::MeasuredTab
   const component::Component built = component.makeComponent();
   for (const element::ElementDescription& element : built.elements()) {
     if (const std::string& reason = effectNamed(element.type).not_beside_tables; !reason.empty()) {
-      throw std::invalid_argument(fmt::format("{}: has {}, {}; accepted: logs, or the component without it",
-                                              component.name, element.type, reason));
+      throw std::invalid_argument(
+          fmt::format("{}: has the element {}, {}; accepted: logs, or the component without this element",
+                      component.name, element.type, reason));
     }
   }
   const auto has_temperature = [](const fit::TablePoint& point) { return point.temperature.has_value(); };

@@ -44,13 +44,14 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
     case Out::named:
       return "";
     case Out::of_no_table:
-      return "a table of settled loops cannot show it: record a log";
+      return "a table of settled loops cannot show this effect: record a log";
     case Out::not_testable:
       return fmt::format(
-          "not testable with {}: other parameter values absorb all but {} % of a typical effect, too little to see",
+          "not testable with {}: other parameter values absorb all but {} % of a typical effect; this is too little to "
+          "detect",
           sourceOf(d), wholePercent(c.visible_share));
     case Out::removes_nothing:
-      return "it may remove nothing of the gap on further logs";
+      return "the effect may remove nothing of the gap on further logs";
     case Out::gap_remains:
       return fmt::format("the gap is {} with its full law, and {} with other parameter values only", percent(c.gap),
                          percent(d.gaps.unseen.re_estimated));

@@ -22,7 +22,7 @@ bool isChanged(const SizedValue& size) {
 }
 
 std::string boundText(const SizedValue& size) {
-  return isAtBound(size) ? ", which is a bound of the fit: these logs do not determine it" : "";
+  return isAtBound(size) ? ", which is a bound of the fit: these logs do not determine this value" : "";
 }
 
 // If an effect depends on the temperature, all values are valid at its reference temperature.

@@ -115,8 +115,8 @@ std::string linesNote(const Diagnosis& diagnosis) {
   return note;
 }
 
-// Returns " Log b reads 10 % more than the others.", for each gain beyond the tolerance of the rig. If all logs have
-// such a gain, the text compares two groups of logs, because the logs do not show which group is right.
+// " Log b has forces 10 % higher than the other logs.", for each gain beyond the rig's tolerance. If all logs have one,
+// the text compares two groups of logs, because the logs do not show which of them is right.
 std::string gainsNote(const Diagnosis& diagnosis) {
   std::vector<const measurement::RigFinding*> gains;
   for (const measurement::RigFinding& finding : diagnosis.rig_findings) {
@@ -127,8 +127,8 @@ std::string gainsNote(const Diagnosis& diagnosis) {
   std::string note;
   if (gains.size() < 2 || gains.size() < diagnosis.logs.admission.size()) {
     for (const measurement::RigFinding* gain : gains) {
-      note += fmt::format(" Log {} reads {} % {} than the others.", gain->log, wholePercent(std::abs(gain->value)),
-                          gain->value > 0.0 ? "more" : "less");
+      note += fmt::format(" Log {} has forces {} % {} than the other logs.", gain->log,
+                          wholePercent(std::abs(gain->value)), gain->value > 0.0 ? "higher" : "lower");
     }
     return note;
   }
@@ -165,7 +165,7 @@ std::string oneSideNote(const Diagnosis& diagnosis) {
   if (std::min(above, below) >= kSensorOffset * std::max(above, below)) {
     return "";
   }
-  return fmt::format(" All displacements are {}: these logs do not determine the force at {} ones.",
+  return fmt::format(" All displacements are {}: these logs do not determine the force at {} displacements.",
                      below > above ? "negative" : "positive", below > above ? "positive" : "negative");
 }
 
@@ -267,7 +267,8 @@ std::string identifiedText(const Diagnosis& diagnosis) {
     text += fmt::format(" Identified values: {}.", fmt::join(values, ", "));
   }
   for (const std::string& name : diagnosis.parameters.at_bounds) {
-    text += fmt::format(" {} is at a bound of the fit: these logs do not determine it.", capitalised(spoken(name)));
+    text +=
+        fmt::format(" {} is at a bound of the fit: these logs do not determine this value.", capitalised(spoken(name)));
   }
   return text;
 }
@@ -337,13 +338,13 @@ std::string proposedText(const Diagnosis& d, const NextExperiment& next) {
 
 std::string noneText(const Diagnosis& d, const NextExperiment& next) {
   return fmt::format(
-             "None within the limits: the entropy of the explanations {} would only fall to {}. The best motion is: "
-             "{}. ",
+             "No motion within the limits decides: the entropy of the explanations {} would only fall to {}. The best "
+             "motion is: {}. ",
              enumerated(next.names), openText(next.open_after, next), inUnits(d, next.motion)) +
          (next.proposal == Proposal::beyond_limits
-              ? fmt::format("A better motion needs {}: {}, after which {} would remain.", limitText(d, next),
+              ? fmt::format("A better motion needs {}: {}; the entropy would then fall to {}.", limitText(d, next),
                             inUnits(d, next.wider_motion), openText(next.wider_open_after, next))
-              : "Twice the stroke, twice the speed or five times the time would not be enough.");
+              : "Even twice the stroke, twice the speed or five times the duration would not be enough.");
 }
 
 std::string judgementText(const Diagnosis& diagnosis) {
@@ -474,8 +475,8 @@ std::string factorNote(const std::vector<double>& factors) {
   const auto texts = element::each(factors, [](double factor) { return fmt::format("{:.2f}", factor); });
   return factors.empty() ? ""
                          : fmt::format(
-                               " Friction differs between the logs: in their order, it is {} times that of the file. "
-                               "Pressure, current or tension changed between the logs.",
+                               " Friction differs between the logs: in the order of the logs, it is {} times the "
+                               "friction of the component file. Pressure, current or tension changed between the logs.",
                                enumerated(texts));
 }
 
@@ -488,12 +489,13 @@ std::string excludedNote(const Diagnosis& diagnosis) {
       const auto& of_file = diagnosis.configured.excluded_effects;
       const bool in_file = std::find(of_file.begin(), of_file.end(), one.effect) != of_file.end();
       if (in_file == by_file && one.probability_otherwise >= kWorthSaying) {
-        texts.push_back(fmt::format("{} would be {} % probable", one.effect, chance(one.probability_otherwise)));
+        texts.push_back(
+            fmt::format("the probability of {} would be {} %", one.effect, chance(one.probability_otherwise)));
       }
     }
     if (!texts.empty()) {
-      note += fmt::format(" Excluded by {}: otherwise {}.", by_file ? "the component file" : "--exclude",
-                          enumerated(texts));
+      note += fmt::format(" Effects excluded by {}: without this exclusion, {}.",
+                          by_file ? "the component file" : "--exclude", enumerated(texts));
     }
   }
   return note;
@@ -502,15 +504,18 @@ std::string excludedNote(const Diagnosis& diagnosis) {
 std::string experimentText(const Diagnosis& d, const NextExperiment& next) {
   switch (next.proposal) {
     case Proposal::agrees:
-      return "None is needed: the model agrees with the measurement as far as these logs can show.";
+      return "No further experiment is needed: the model agrees with the measurement as far as these logs can show.";
     case Proposal::sure:
-      return fmt::format("None is needed: the verdict has a probability of {} %.", chance(d.answer.probability));
+      return fmt::format("No further experiment is needed: the verdict has a probability of {} %.",
+                         chance(d.answer.probability));
     case Proposal::no_rival:
-      return "None: no second explanation was fitted.";
+      return "No experiment is proposed: no second explanation was fitted.";
     case Proposal::same_effects:
-      return fmt::format("None: the explanations {} name the same effects.", enumerated(next.names));
+      return fmt::format("No experiment is proposed: the explanations {} name the same effects.",
+                         enumerated(next.names));
     case Proposal::no_motion:
-      return "None: every available motion exceeds the limits of stroke, speed, force and duration.";
+      return "No experiment is proposed: every available motion exceeds the limits of stroke, speed, force and "
+             "duration.";
     case Proposal::within_limits:
       return proposedText(d, next);
     default:

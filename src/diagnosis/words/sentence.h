@@ -19,7 +19,8 @@ std::string headline(const Diagnosis& diagnosis);
 /// Returns " Without a recorded temperature ..." if an effect that looks like warming is named for logs without one.
 std::string temperatureNote(const std::vector<std::string>& effects, const fit::Excitation& excitation);
 
-/// Returns " Excluded by the component file: otherwise backlash would be 63 % probable.", without effects below 2 %.
+/// Returns " Effects excluded by the component file: without this exclusion, the probability of backlash would be
+/// 63 %."; empty below 2 %.
 std::string excludedNote(const Diagnosis& diagnosis);
 
 /// Returns " The rest depends on the motion ...", depending on how well the surrogate predicts the residual force.

@@ -22,9 +22,10 @@ void addAsymmetricStiffness(const fit::Excitation& excitation, fit::Candidate& c
   }
 }
 
-const EffectEntry kAsymmetricStiffness(
-    {60, "asymmetric_stiffness", "even stiffness: second harmonic, and a mean force that grows with amplitude squared",
-     false, addAsymmetricStiffness});
+const EffectEntry kAsymmetricStiffness({60, "asymmetric_stiffness",
+                                        "different stiffness in the two directions: the force has a second harmonic, "
+                                        "and its mean grows with the square of the amplitude",
+                                        false, addAsymmetricStiffness});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -45,8 +45,8 @@ std::vector<HeadlineValue> bySide(const Effect::Entries& stops) {
 
 Effect bumpStop() {
   Effect effect{70, "bump_stop",
-                "stop beyond a gap on one or both sides: the force has a knee, with an error beyond it", false,
-                addBumpStop};
+                "stop behind a gap on one or both sides: the force has a knee, and the error lies beyond the knee",
+                false, addBumpStop};
   effect.headline = bySide;
   effect.headline_types = {effect.name};
   return effect;

@@ -99,8 +99,8 @@ std::string fluidOrFixture(const io::ComponentDescription& configured) {
 
 Effect fluidInertia() {
   Effect effect{45, "fluid_inertia",
-                "column of fluid that resonates, as in a hydraulic mount: the loss has a peak at one frequency, below "
-                "which stiffness falls and above which it is higher",
+                "column of fluid that resonates, as in a hydraulic mount: the loss has a peak at one frequency; below "
+                "this frequency the stiffness is lower, above it higher",
                 false, addFluidInertia};
   effect.contains = {"inertia"};
   effect.readings = fluidOrFixture;

@@ -16,9 +16,10 @@ void addForceOffset(const fit::Excitation& excitation, fit::Candidate& candidate
   candidate.constant = true;
 }
 
-const EffectEntry kForceOffset(
-    {140, "force_offset", "zero error of the load cell: only the mean is wrong, equally in all logs or differently",
-     true, addForceOffset, InSettledLoops::no_part_of_loop});
+const EffectEntry kForceOffset({140, "force_offset",
+                                "zero error of the load cell: only the mean force is wrong, by the same amount in all "
+                                "logs or by a different amount in each log",
+                                true, addForceOffset, InSettledLoops::no_part_of_loop});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

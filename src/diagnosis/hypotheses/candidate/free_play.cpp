@@ -26,7 +26,7 @@ std::vector<HeadlineValue> lostMotion(const Effect::Entries& plays) {
 }
 
 Effect freePlay() {
-  Effect effect{80, "free_play", "dead zone: stiffness falls at small amplitude", true, addFreePlay};
+  Effect effect{80, "free_play", "dead zone: stiffness is lower at small amplitude", true, addFreePlay};
   effect.headline = lostMotion;
   effect.headline_types = {effect.name};
   effect.labels = {{"gap", "gap on each side"}, {"total_gap", "gap on each side"}};

@@ -125,7 +125,7 @@ std::vector<HeadlineValue> halfWidthOfLoop(const Effect::Entries& entries, const
 }
 
 Effect friction() {
-  Effect effect{10, "friction", "friction, a force with a limit: stiffness falls with amplitude at any frequency",
+  Effect effect{10, "friction", "friction, whose force has a limit: stiffness falls with amplitude at any frequency",
                 false, addFriction};
   effect.tidy = mergeSliders;
   effect.headline = limitOf;

@@ -19,9 +19,10 @@ void addProgressiveStiffness(const fit::Excitation& excitation, fit::Candidate& 
   }
 }
 
-const EffectEntry kProgressiveStiffness({50, "progressive_stiffness",
-                                         "odd stiffening: stiffness rises with amplitude, no loss", false,
-                                         addProgressiveStiffness});
+const EffectEntry kProgressiveStiffness(
+    {50, "progressive_stiffness",
+     "stiffening that is equal in both directions: stiffness rises with amplitude, without additional loss", false,
+     addProgressiveStiffness});
 
 }  // namespace
 }  // namespace rubber_suspension::diagnosis::hypotheses::candidate

@@ -23,8 +23,8 @@ void addRadialCoupling(const fit::Excitation& excitation, fit::Candidate& candid
 }
 
 const EffectEntry kRadialCoupling({65, "radial_coupling",
-                                   "stiffening with the radius of two directions across an axis: the gap in one "
-                                   "depends on the displacement of the other; only for components of six directions",
+                                   "stiffening with the radial displacement across an axis: the gap in one direction "
+                                   "depends on the displacement in the other; only for components of six directions",
                                    false, addRadialCoupling});
 
 }  // namespace

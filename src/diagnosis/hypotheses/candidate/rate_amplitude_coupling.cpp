@@ -47,8 +47,8 @@ void addRateAmplitudeCoupling(const fit::Excitation& excitation, fit::Candidate&
 // and is named only if it explains the logs better than they do.
 Effect rateAmplitudeCoupling() {
   Effect effect{160, "rate_amplitude_coupling",
-                "flow that large forces or fast motion accelerate: stiffness falls with amplitude, the more the higher "
-                "the frequency",
+                "flow of the rubber that large forces or fast motion accelerate: stiffness falls with amplitude, and "
+                "falls more at higher frequency",
                 false, addRateAmplitudeCoupling};
   effect.contains = {"friction", "relaxation"};
   return effect;

@@ -23,11 +23,12 @@ void addSensorGain(const fit::Excitation& excitation, fit::Candidate& candidate)
 
 std::string gainOrValues(const std::map<std::string, double>& numbers) {
   const auto gain = numbers.find("gain");
-  return gain == numbers.end() ? ""
-                               : fmt::format(
-                                     " The force channel reads {:.1f} % too {}, or all stiffness and damping values of "
-                                     "the model are wrong by this share: a known weight on the load cell decides.",
-                                     100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
+  return gain == numbers.end()
+             ? ""
+             : fmt::format(
+                   " The force channel reads {:.1f} % too {}, or all stiffness and damping values of the model are "
+                   "wrong by this share: measure a known weight on the load cell to decide.",
+                   100.0 * std::abs(gain->second), gain->second > 0.0 ? "much" : "little");
 }
 
 // A gain of all logs is equivalent to wrong values of the model. If the range of an amplifier is changed between logs,
@@ -38,7 +39,7 @@ Effect sensorGain() {
                 "wrong stiffness and damping, or a different factor in each log",
                 true, addSensorGain};
   effect.remark = gainOrValues;
-  effect.beside_values = " A known weight on the load cell decides.";
+  effect.beside_values = " Measure a known weight on the load cell to decide.";
   return effect;
 }
 

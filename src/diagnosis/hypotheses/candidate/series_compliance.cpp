@@ -73,8 +73,8 @@ std::vector<HeadlineValue> eachOf(const Effect::Entries& compliances) {
 
 Effect seriesCompliance() {
   Effect effect{110, "series_compliance",
-                "compliance of rig, bracket or joint, equal to both sides or not: the error grows with stiffness at "
-                "any frequency",
+                "compliance of rig, bracket or joint, equal or different in the two directions: the error grows with "
+                "stiffness at any frequency",
                 true, addSeriesCompliance};
   effect.tidy = mergeSides;
   effect.headline = eachOf;
