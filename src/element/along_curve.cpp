@@ -22,9 +22,13 @@ double momentOverStep(double x, const Relaxation& relaxation) {
 }
 
 ParameterInfo pointsParameter() {
-  return {
-      "displacement", "m", Role::choice, Range::any(), "displacements of the points, not decreasing; constant outside",
-      std::nullopt,   true};
+  return {"displacement",
+          "m",
+          Role::choice,
+          Range::any(),
+          "displacement of each point, not decreasing; beyond the end points the values are constant",
+          std::nullopt,
+          true};
 }
 
 PositionTable tableOf(const ElementDescription& description, const std::string& name) {
@@ -138,11 +142,12 @@ class SlidersAlongCurve final : public ParallelElement {
 const ElementEntry kMaxwellAlongCurveEntry(
     170, {"maxwell_along_curve",
           "Maxwell element whose stiffness depends on the displacement, dF/dt = k(z) dz/dt - 2 pi f_b F.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at the points", std::nullopt, true},
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k at each point of the curve", std::nullopt,
+            true},
            pointsParameter(),
            {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
            {"growth", "1", Role::shape, Range::closed(0.0, 20.0),
-            "growth b in k(z) = stiffness exp(b ((z/z_r)^2 - 1)) up to the only displacement z_r", 0.0},
+            "growth b for a single point z_r: k(z) = stiffness exp(b ((z/z_r)^2 - 1)) up to z_r", 0.0},
            {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
             "1: the stiffness grows with z > 0 only; -1: with z < 0 only; 0: with both", 0.0}},
           [](const ElementDescription& description) -> ElementPointer {
@@ -153,27 +158,28 @@ const ElementEntry kMaxwellAlongCurveEntry(
                 description.value("break_frequency"));
           }});
 
-const ElementEntry kDashpotAlongCurveEntry(
-    180, {"dashpot_along_curve",
-          "Dashpot whose damping depends on the displacement, F = c(z) dz/dt.",
-          {pointsParameter(),
-           {"damping", "N s/m", Role::scale, Range::positive(), "damping c at the points", std::nullopt, true}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const DashpotAlongCurve>(tableOf(description, "damping"));
-          }});
+const ElementEntry kDashpotAlongCurveEntry(180, {"dashpot_along_curve",
+                                                 "Dashpot whose damping depends on the displacement, F = c(z) dz/dt.",
+                                                 {pointsParameter(),
+                                                  {"damping", "N s/m", Role::scale, Range::positive(),
+                                                   "damping c at each point of the curve", std::nullopt, true}},
+                                                 [](const ElementDescription& description) -> ElementPointer {
+                                                   return std::make_shared<const DashpotAlongCurve>(
+                                                       tableOf(description, "damping"));
+                                                 }});
 
 const ElementEntry kSlidersAlongCurveEntry(
-    190, {"sliders_along_curve",
-          "Friction sliders whose force depends on the displacement: the force of iwan_table times a factor b(z).",
-          {pointsParameter(),
-           {"factor", "1", Role::reference, Range::nonNegative(), "factor b at the points", std::nullopt, true},
-           {"yield_displacement", "m", Role::shape, Range::positive(),
-            "displacement at which each slider starts to slide", std::nullopt, true},
-           {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness of each slider", std::nullopt, true}},
-          [](const ElementDescription& description) -> ElementPointer {
-            return std::make_shared<const SlidersAlongCurve>(slidersFromTable(description),
-                                                             tableOf(description, "factor"));
-          }});
+    190,
+    {"sliders_along_curve",
+     "Friction sliders whose force depends on the displacement: the force of iwan_table times a factor b(z).",
+     {pointsParameter(),
+      {"factor", "1", Role::reference, Range::nonNegative(), "factor b at each point of the curve", std::nullopt, true},
+      {"yield_displacement", "m", Role::shape, Range::positive(), "displacement at which each slider starts to slide",
+       std::nullopt, true},
+      {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness of each slider", std::nullopt, true}},
+     [](const ElementDescription& description) -> ElementPointer {
+       return std::make_shared<const SlidersAlongCurve>(slidersFromTable(description), tableOf(description, "factor"));
+     }});
 
 }  // namespace
 }  // namespace rubber_suspension::element

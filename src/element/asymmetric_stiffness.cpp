@@ -70,14 +70,16 @@ const ElementEntry kAsymmetricStiffnessEntry(
          "k_t max(z, 0) + k_e (s (exp(z/s) - 1) - z), on top of a linear spring.",
          {{"quadratic", "N/m^2", Role::scale, Range::any(), "coefficient k2, of either sign", 0.0},
           {"slope_difference", "N/m", Role::scale, Range::any(),
-           "stiffness k_d at z > 0 minus stiffness at z < 0, for the same mean of both; of either sign", 0.0},
+           "difference k_d between the stiffness at z > 0 and at z < 0, whose mean is unchanged; of either sign", 0.0},
           {"tension_stiffness", "N/m", Role::scale, Range::any(), "extra stiffness k_t at z > 0, of either sign", 0.0},
           {"even_exponential", "N/m", Role::scale, Range::any(),
            "stiffness k_h of the even exponential, of either sign", 0.0},
           {"exponential", "N/m", Role::scale, Range::any(),
            "stiffness k_e of the one-sided exponential, of either sign", 0.0},
           {"exponential_scale", "m", Role::shape, Range::any(),
-           "displacement s over which these grow by a factor of e; negative: towards negative z; 0: none", 0.0}},
+           "displacement s over which the exponentials grow by a factor of e; negative: they grow towards negative z; "
+           "0: no exponentials",
+           0.0}},
          [](const ElementDescription& description) -> ElementPointer {
            const double scale = description.value("exponential_scale");
            const AsymmetricStiffness::Exponentials exponentials{description.value("exponential"),

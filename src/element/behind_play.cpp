@@ -142,7 +142,7 @@ const ElementEntry kMaxwellBehindPlayEntry(
           "Spring and dashpot in series with a clearance: a damper with backlash.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
            {"break_frequency", "Hz", Role::shape, Range::positive(),
-            "break frequency f_b; for a dashpot alone, a high one with c = k/(2 pi f_b)"},
+            "break frequency f_b; for a dashpot c alone, choose a high f_b and k = 2 pi f_b c"},
            {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
           makesBehindPlay<Damper>("break_frequency")});
 
@@ -161,9 +161,9 @@ const ElementEntry kPowerDashpotBehindPlayEntry(
 const ElementEntry kFrictionBehindPlayEntry(
     310, {"friction_behind_play",
           "Friction in series with a clearance: there is no friction over 2 g of travel after each reversal.",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while the friction sticks"},
            {"yield_displacement", "m", Role::shape, Range::positive(),
-            "displacement y beyond the clearance at which it slides"},
+            "displacement y beyond the clearance at which the friction slides"},
            {"gap", "m", Role::shape, Range::positive(), "clearance g to either side"}},
           makesBehindPlay<Slider>("yield_displacement")});
 

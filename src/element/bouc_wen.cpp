@@ -143,25 +143,25 @@ class BoucWen final : public ParallelElement {
 };
 
 const ElementEntry kBoucWenEntry(
-    240,
-    {"bouc_wen",
-     "Bouc-Wen hysteresis, dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n; spring and dashpot are "
-     "separate elements.",
-     {{"stiffness", "N/m", Role::shape, Range::positive(), "stiffness A from rest"},
-      {"beta", "1/m", Role::shape, Range::positive(), "beta; for n other than 1 a number in N^(1-n)/m"},
-      {"gamma", "1/m", Role::shape, Range::any(),
-       "gamma, at most beta in magnitude; for n other than 1 a number in N^(1-n)/m"},
-      {"exponent", "1", Role::choice, Range::closed(1.0, 20.0), "exponent n; larger values bend more sharply", 1.0}},
-     [](const ElementDescription& description) -> ElementPointer {
-       const double beta = description.value("beta");
-       const double gamma = description.value("gamma");
-       if (std::abs(gamma) > beta) {
-         refuseValue(description.type, "gamma", gamma, "1/m",
-                     fmt::format("in [{:g}, {:g}], because |gamma| > beta would create energy", -beta, beta));
-       }
-       return std::make_shared<const BoucWen>(description.value("stiffness"), beta, gamma,
-                                              description.value("exponent"));
-     }});
+    240, {"bouc_wen",
+          "Bouc-Wen hysteresis, dh/dt = A dz/dt - beta |dz/dt| |h|^(n-1) h - gamma dz/dt |h|^n; spring and dashpot are "
+          "separate elements.",
+          {{"stiffness", "N/m", Role::shape, Range::positive(), "stiffness A at the start of motion from rest"},
+           {"beta", "1/m", Role::shape, Range::positive(), "coefficient beta; its unit is N^(1-n)/m if n is not 1"},
+           {"gamma", "1/m", Role::shape, Range::any(),
+            "coefficient gamma, at most beta in magnitude; its unit is N^(1-n)/m if n is not 1"},
+           {"exponent", "1", Role::choice, Range::closed(1.0, 20.0),
+            "exponent n; the larger, the sharper the loop bends", 1.0}},
+          [](const ElementDescription& description) -> ElementPointer {
+            const double beta = description.value("beta");
+            const double gamma = description.value("gamma");
+            if (std::abs(gamma) > beta) {
+              refuseValue(description.type, "gamma", gamma, "1/m",
+                          fmt::format("in [{:g}, {:g}], because |gamma| > beta would create energy", -beta, beta));
+            }
+            return std::make_shared<const BoucWen>(description.value("stiffness"), beta, gamma,
+                                                   description.value("exponent"));
+          }});
 
 }  // namespace
 }  // namespace rubber_suspension::element

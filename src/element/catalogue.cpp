@@ -50,7 +50,7 @@ void checkValue(const ElementType& type, const ParameterInfo& parameter, const s
 
 ElementEntry::ElementEntry(int place, ElementType type) {
   if (!entries().emplace(place, std::move(type)).second) {
-    throw std::logic_error(fmt::format("two laws claim place {}", place));
+    throw std::logic_error(fmt::format("two laws have the same place: {}", place));
   }
 }
 

@@ -11,9 +11,9 @@ namespace {
 /// et al. (2011).
 const ElementEntry kCoulombFrictionEntry(
     250, {"coulomb_friction",
-          "Coulomb friction behind a contact spring: sticks up to its maximum force, then slides.",
-          {{"maximum_force", "N", Role::shape, Range::positive(), "force F_max at which it slides"},
-           {"stiffness", "N/m", Role::shape, Range::positive(), "stiffness k while it sticks"}},
+          "Coulomb friction behind a contact spring: the friction sticks up to its maximum force, then slides.",
+          {{"maximum_force", "N", Role::shape, Range::positive(), "force F_max at which the friction slides"},
+           {"stiffness", "N/m", Role::shape, Range::positive(), "stiffness k while the friction sticks"}},
           [](const ElementDescription& description) -> ElementPointer {
             const double stiffness = description.value("stiffness");
             return std::make_shared<const SliderBank>(

@@ -44,23 +44,24 @@ class SmoothDashpot final : public SmoothRateDashpot {
   double damping_;
 };
 
-const ElementEntry kDashpotEntry(
-    70, {"dashpot",
-         "Linear dashpot, F = c dz/dt.",
-         {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c"},
-          {"order", "1", Role::choice, Range::closed(1.0, 2.0),
-           "order of the rate's difference; 1: linear displacement between samples, 2: smooth, without lag", 1.0}},
-         [](const ElementDescription& description) -> ElementPointer {
-           const double damping = description.value("damping");
-           const double order = description.value("order");
-           if (order == 2.0) {
-             return std::make_shared<const SmoothDashpot>(damping);
-           }
-           if (order != 1.0) {
-             refuseValue(description.type, "order", order, "1", "1 or 2");
-           }
-           return std::make_shared<const Dashpot>(damping);
-         }});
+const ElementEntry kDashpotEntry(70, {"dashpot",
+                                      "Linear dashpot, F = c dz/dt.",
+                                      {{"damping", "N s/m", Role::scale, Range::positive(), "damping constant c"},
+                                       {"order", "1", Role::choice, Range::closed(1.0, 2.0),
+                                        "order of the difference that gives the rate; 1: displacement linear between "
+                                        "samples; 2: smooth displacement, rate without lag",
+                                        1.0}},
+                                      [](const ElementDescription& description) -> ElementPointer {
+                                        const double damping = description.value("damping");
+                                        const double order = description.value("order");
+                                        if (order == 2.0) {
+                                          return std::make_shared<const SmoothDashpot>(damping);
+                                        }
+                                        if (order != 1.0) {
+                                          refuseValue(description.type, "order", order, "1", "1 or 2");
+                                        }
+                                        return std::make_shared<const Dashpot>(damping);
+                                      }});
 
 }  // namespace
 }  // namespace rubber_suspension::element

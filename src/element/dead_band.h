@@ -5,7 +5,10 @@
 
 namespace rubber_suspension::element {
 
-constexpr const char* kDeadBand = "ten standard deviations of the displacement's noise; 0 for simulated displacements";
+/// Documentation of the parameter `dead_band`.
+constexpr const char* kDeadBand =
+    "width of the play that removes the displacement's noise, about ten standard deviations; 0 for simulated "
+    "displacements";
 
 /// Returns the displacement [m] behind play of total width `dead_band` [m]; `before` is the last displacement behind
 /// it.

@@ -30,7 +30,7 @@ const ElementEntry kFreePlayEntry(390, {"free_play",
                                         {{"gap", "m", Role::shape, Range::positive(),
                                           "width g of the dead zone to either side of zero"},
                                          {"share", "1", Role::shape, Range::openBelow(0.0, 1.0),
-                                          "share s of the motion within the dead zone that is lost", 1.0}},
+                                          "share s of the motion that is lost within the dead zone", 1.0}},
                                         makes<FreePlay>("gap", "share")});
 
 }  // namespace

@@ -285,8 +285,8 @@ ElementPointer makeInertiaTrack(const ElementDescription& description) {
 ElementType inertiaTrackType() {
   const Range range = Range::nonNegative();
   return {"inertia_track",
-          "Fluid in a hydraulic mount, m d2q/dt2 + c dq/dt + c_2 |dq/dt| dq/dt = F, F = k_h (z - q), given by mass, "
-          "damping and stiffness or by the quantities of the fluid; 0: not given.",
+          "Fluid in a hydraulic mount, m d2q/dt2 + c dq/dt + c_2 |dq/dt| dq/dt = F, F = k_h (z - q), described with "
+          "mass, damping and stiffness or with the quantities of the fluid; 0: not given.",
           {{"mass", "kg", Role::shape, range, "mass m of the column, referred to the pumping area", 0.0},
            {"damping", "N s/m", Role::shape, range, "damping c of the track, referred to the pumping area", 0.0},
            {"stiffness", "N/m", Role::shape, range, "bulge stiffness k_h of the upper chamber", 0.0},
@@ -295,9 +295,9 @@ ElementType inertiaTrackType() {
            {"compliance", "m^3/Pa", Role::shape, range, "compliance C of the upper chamber, k_h = A_p^2/C", 0.0},
            {"pumping_area", "m^2", Role::reference, range, "effective piston area A_p of the rubber", 0.0},
            {"free_travel", "m", Role::shape, range, "free travel d of a decoupler to either side; 0: none", 0.0},
-           {"quadratic_damping", "N s^2/m^2", Role::shape, range, "damping c_2 of the squared rate", 0.0},
+           {"quadratic_damping", "N s^2/m^2", Role::shape, range, "damping c_2 that multiplies the squared rate", 0.0},
            {"quadratic_resistance", "Pa s^2/m^6", Role::shape, range,
-            "resistance R_2 of the squared flow, c_2 = R_2 A_p^3", 0.0}},
+            "resistance R_2 that multiplies the squared flow, c_2 = R_2 A_p^3", 0.0}},
           makeInertiaTrack};
 }
 

@@ -68,7 +68,7 @@ namespace {
 
 const ElementEntry kIwanEntry(
     260, {"iwan",
-          "Friction with memory: a bank of Jenkins sliders (Iwan) with a hyperbola as curve from rest.",
+          "Friction with memory: a bank of Jenkins sliders (Iwan), whose force from rest follows a hyperbola.",
           {{"maximum_force", "N", Role::scale, Range::positive(), "force F_max when all sliders slide"},
            {"displacement", "m", Role::shape, Range::positive(),
             "displacement z2 from rest at which friction reaches half of its maximum"},
@@ -78,16 +78,16 @@ const ElementEntry kIwanEntry(
                 description.value("maximum_force"), description.value("displacement"), sliderCount(description)));
           }});
 
-const ElementEntry kIwanTableEntry(
-    270,
-    {"iwan_table",
-     "Friction with memory: a bank of Jenkins sliders (Iwan), each given by its own values.",
-     {{"yield_displacement", "m", Role::shape, Range::positive(), "displacement at which each slider starts to slide",
-       std::nullopt, true},
-      {"stiffness", "N/m", Role::scale, Range::positive(), "stiffness of each slider's spring", std::nullopt, true}},
-     [](const ElementDescription& description) -> ElementPointer {
-       return std::make_shared<const SliderBank>(slidersFromTable(description));
-     }});
+const ElementEntry kIwanTableEntry(270,
+                                   {"iwan_table",
+                                    "Friction with memory: a bank of Jenkins sliders (Iwan), each with its own values.",
+                                    {{"yield_displacement", "m", Role::shape, Range::positive(),
+                                      "displacement at which each slider starts to slide", std::nullopt, true},
+                                     {"stiffness", "N/m", Role::scale, Range::positive(),
+                                      "stiffness of each slider's spring", std::nullopt, true}},
+                                    [](const ElementDescription& description) -> ElementPointer {
+                                      return std::make_shared<const SliderBank>(slidersFromTable(description));
+                                    }});
 
 }  // namespace
 }  // namespace rubber_suspension::element

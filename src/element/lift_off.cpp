@@ -49,12 +49,12 @@ const ElementEntry kLiftOffEntry(
     410,
     {"lift_off",
      "Contact that carries only one sign of force, such as a chevron, strap or spring that is not bonded to its plate: "
-     "while the contact is open, the test piece recovers, with no force or that of the preload.",
+     "while the contact is open, the test piece recovers, and the force is 0 or stays at the preload.",
      {{"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: carries only F > -P; -1: carries only F < P"},
       {"slack_stiffness", "N/m", Role::shape, Range::nonNegative(),
        "stiffness k_s in parallel with the open contact; 0: none", 0.0},
       {"preload", "N", Role::shape, Range::nonNegative(),
-       "preload P of the contact at zero measured force: it opens at a force P of the opposite sign", 0.0}},
+       "preload P of the contact at zero measured force: the contact opens at a force P of the opposite sign", 0.0}},
      [](const ElementDescription& description) -> ElementPointer {
        return std::make_shared<const LiftOff>(static_cast<LiftOff::Carries>(sideOf(description, "F", false)),
                                               description.value("slack_stiffness"), description.value("preload"));

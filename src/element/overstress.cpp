@@ -47,8 +47,8 @@ class Overstress final : public ParallelElement {
 
 const ElementEntry kOverstressEntry(
     300, {"overstress",
-          "Spring that flows when its force exceeds k y, the faster the larger the excess: F = k y (1 + (v/v_r)^(1/m)) "
-          "at a steady rate v, F = k y after a hold.",
+          "Spring that flows when its force exceeds k y; the flow is faster for a larger excess: F = k y (1 + "
+          "(v/v_r)^(1/m)) at a steady rate v, F = k y after a hold.",
           {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
            {"yield_displacement", "m", Role::shape, Range::positive(), "displacement y of the spring at the limit k y"},
            {"reference_rate", "m/s", Role::shape, Range::positive(), "rate v_r at which the force is 2 k y"},

@@ -30,8 +30,8 @@ namespace {
 
 const ElementEntry kRadialStiffnessEntry(
     40, {"radial_stiffness",
-         "Stiffness that rises with the radius r of two directions across an axis: in each of them F = x (h(r) - (1 - "
-         "a) h(|x|)) with h(r) = k2 r + k3 r^2 + k5 r^4; a single direction has r = |x|.",
+         "Stiffness that rises with the radius r of two directions across an axis: in each direction F = x (h(r) - (1 "
+         "- a) h(|x|)) with h(r) = k2 r + k3 r^2 + k5 r^4; for a single direction r = |x|.",
          {{"quadratic", "N/m^2", Role::scale, Range::nonNegative(),
            "coefficient k2; one of the coefficients must be greater than 0", 0.0},
           {"cubic", "N/m^3", Role::scale, Range::nonNegative(), "coefficient k3", 0.0},

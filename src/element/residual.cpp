@@ -86,15 +86,15 @@ void readResonators(const ElementDescription& description, ResidualBasis::Layout
   if (!layout.resonant) {
     if (!isNone(description.list("resonance_weights"))) {
       throw std::invalid_argument(
-          fmt::format("{}.resonance_weights: {} values; accepted: a single 0, without resonances", kResidualName,
-                      description.list("resonance_weights").size()));
+          fmt::format("{}.resonance_weights: has {} values, but there are no resonances; accepted: a single 0",
+                      kResidualName, description.list("resonance_weights").size()));
     }
     return;
   }
   layout.frequencies = listOf<kResonators>(description, "resonances");
   for (const double frequency : layout.frequencies) {
     if (!(frequency > 0.0)) {
-      refuseValue(kResidualName, "resonances", frequency, "Hz", "greater than 0, or a single 0 for none");
+      refuseValue(kResidualName, "resonances", frequency, "Hz", "greater than 0, or a single 0 for no resonators");
     }
   }
   weights.resonators = description.list("resonance_weights");
@@ -337,7 +337,8 @@ ElementType residualType() {
            {"relaxation_times", "s", Role::choice, time, "times of the 4 relaxing shares", std::nullopt, true},
            {"amplitude_time", "s", Role::choice, time, "time over which the amplitude of the motion is determined"},
            {"weights", "N", Role::scale, any,
-            "44 forces: for stops, relaxing shares and displacement, each times 1, q, q^2 and the amplitude",
+            "44 forces: for the 6 stops, the 4 relaxing shares and the displacement, each times 1, q, q^2 and the "
+            "amplitude; q is the displacement in strokes",
             std::nullopt, true},
            {"characteristic", "N", Role::scale, any, "forces at equally spaced displacements from lowest to highest",
             std::nullopt, true},
@@ -345,7 +346,7 @@ ElementType residualType() {
             "natural frequencies of the 8 resonators; 0: no resonators", 0.0, true},
            {"resonance_damping", "1", Role::choice, Range::closed(1e-3, 10.0), "damping ratio of the resonators", 0.15},
            {"resonance_weights", "N", Role::scale, any,
-            "16 forces: for the displacement and the velocity of each resonator", 0.0, true}},
+            "16 forces: one for the displacement and one for the velocity of each resonator", 0.0, true}},
           makeResidual};
 }
 

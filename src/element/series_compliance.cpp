@@ -49,7 +49,9 @@ const ElementEntry kSeriesComplianceEntry(
           "Compliance of bracket, bolted connection or rig in series with the test piece: u = F/(K_s (1 + |F|/F_c)).",
           {{"stiffness", "N/m", Role::shape, Range::positive(), "stiffness K_s of the parts in series"},
            {"closing_force", "N", Role::shape, Range::nonNegative(),
-            "force F_c that halves the compliance, as of a bolted joint that closes under load; 0: linear", 0.0},
+            "force F_c at which the compliance is halved, as in a bolted joint that closes under load; 0: constant "
+            "compliance",
+            0.0},
            {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
             "1: compliant for F > 0 only; -1: for F < 0 only; 0: for both", 0.0}},
           [](const ElementDescription& description) -> ElementPointer {

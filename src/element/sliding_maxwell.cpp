@@ -33,14 +33,14 @@ class SlidingMaxwell final : public ParallelElement {
 };
 
 const ElementEntry kSlidingMaxwellEntry(
-    130,
-    {"sliding_maxwell",
-     "Maxwell element with a slider, dF/dt = k dz/dt - 2 pi f_b F and |F| <= k y: coupled dependence on rate and "
-     "amplitude.",
-     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
-      {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
-      {"yield_displacement", "m", Role::shape, Range::positive(), "displacement y of the spring at which it slides"}},
-     makes<SlidingMaxwell>("stiffness", "break_frequency", "yield_displacement")});
+    130, {"sliding_maxwell",
+          "Maxwell element with a slider, dF/dt = k dz/dt - 2 pi f_b F and |F| <= k y: coupled dependence on rate and "
+          "amplitude.",
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k of the spring"},
+           {"break_frequency", "Hz", Role::shape, Range::positive(), "break frequency f_b"},
+           {"yield_displacement", "m", Role::shape, Range::positive(),
+            "displacement y of the spring at which the slider slides"}},
+          makes<SlidingMaxwell>("stiffness", "break_frequency", "yield_displacement")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

@@ -78,9 +78,10 @@ class SpringTable final : public ParallelElement {
 const ElementEntry kSpringTableEntry(
     50,
     {kTableName,
-     "Spring whose characteristic is given by points, linear between them and with the end slopes beyond.",
-     {{"displacement", "m", Role::choice, Range::any(), "displacements of the points, increasing", std::nullopt, true},
-      {"force", "N", Role::scale, Range::any(), "forces of the points", std::nullopt, true},
+     "Spring whose characteristic is given by points. It is linear between the points and continues with the end "
+     "slopes beyond them.",
+     {{"displacement", "m", Role::choice, Range::any(), "displacement of each point, increasing", std::nullopt, true},
+      {"force", "N", Role::scale, Range::any(), "force at each point", std::nullopt, true},
       {"monotone", "1", Role::choice, Range::closed(0.0, 1.0),
        "1: the forces do not decrease and are 0 at displacement 0; 0: any forces", 1.0}},
      [](const ElementDescription& description) -> ElementPointer {

@@ -93,7 +93,8 @@ const ElementEntry kSpringpotEntry(
            {"reference_frequency", "Hz", Role::reference, Range::positive(), "reference frequency f_r", 1.0},
            {"low_frequency", "Hz", Role::choice, Range::positive(),
             "lower end of the range in which K* is exact to 0.1 %; far below it K* tends to 0", 0.001},
-           {"high_frequency", "Hz", Role::choice, Range::positive(), "upper end of this range", 1000.0}},
+           {"high_frequency", "Hz", Role::choice, Range::positive(),
+            "upper end of the range in which K* is exact to 0.1 %", 1000.0}},
           [](const ElementDescription& description) -> ElementPointer {
             checkRange(description);
             return std::make_shared<const MaxwellBank>(springpotBank(

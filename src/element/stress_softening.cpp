@@ -149,23 +149,25 @@ ElementPointer makeStressSoftening(const ElementDescription& description) {
 }
 
 const ElementEntry kStressSofteningEntry(
-    330, {"stress_softening",
-          "Mullins effect: softer within displacements that were reached before.",
-          {{"reduction", "1", Role::shape, Range::closed(0.0, 0.9), "share R of the force lost at small displacements"},
-           {"width", "1", Role::shape, Range::closed(0.01, 10.0),
-            "width w of the transition, on the scale of 1 - |z/S|^a with the largest past displacement S", 0.5},
-           {"path", "m", Role::shape, Range::nonNegative(), "travel over which softening sets in; 0: at once", 0.0},
-           {"reach_exponent", "1", Role::shape, Range::closed(0.0, 4.0),
-            "power q of the largest past displacement in the reduction; 0: constant reduction", 0.0},
-           {"full_reach", "m", Role::shape, Range::nonNegative(),
-            "largest past displacement at which the reduction reaches R; beyond it the reduction is constant", 0.0},
-           {"recovery_time", "s", Role::shape, Range::nonNegative(),
-            "time in which the component recovers from the softening; 0: the softening is permanent", 0.0},
-           {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: softens at z > 0 only, -1: at z < 0 only, 0: both",
-            0.0},
-           {"ratio_power", "1", Role::choice, Range::closed(0.5, 8.0),
-            "power a of the ratio |z/S| in the transition; 2: as the strain energy; 1: as the displacement", 2.0}},
-          makeStressSoftening});
+    330,
+    {"stress_softening",
+     "Mullins effect: the rubber is softer within displacements that it reached before.",
+     {{"reduction", "1", Role::shape, Range::closed(0.0, 0.9), "share R of the force lost at small displacements"},
+      {"width", "1", Role::shape, Range::closed(0.01, 10.0),
+       "width w of the transition, on the scale of 1 - |z/S|^a with the largest past displacement S", 0.5},
+      {"path", "m", Role::shape, Range::nonNegative(), "travel over which softening sets in; 0: at once", 0.0},
+      {"reach_exponent", "1", Role::shape, Range::closed(0.0, 4.0),
+       "power q: the reduction grows with the power q of the largest past displacement; 0: constant reduction", 0.0},
+      {"full_reach", "m", Role::shape, Range::nonNegative(),
+       "largest past displacement at which the reduction reaches R; beyond it the reduction is constant", 0.0},
+      {"recovery_time", "s", Role::shape, Range::nonNegative(),
+       "time in which the component recovers from the softening; 0: the softening is permanent", 0.0},
+      {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: softens at z > 0 only, -1: at z < 0 only, 0: both",
+       0.0},
+      {"ratio_power", "1", Role::choice, Range::closed(0.5, 8.0),
+       "power a of the ratio |z/S| in the transition; 2: transition over the strain energy; 1: over the displacement",
+       2.0}},
+     makeStressSoftening});
 
 }  // namespace
 }  // namespace rubber_suspension::element

@@ -39,14 +39,14 @@ class TransitionShift final : public TemperatureShift {
 };
 
 const ElementEntry kTransitionShiftEntry(
-    380,
-    {"transition_shift",
-     "Increase of the force towards the glass transition, b_T = 1 + a (exp(-(T - T_0)/w) - 1).",
-     {{"share", "1", Role::shape, Range::closed(0.0, 100.0),
-       "share a of the force at T_0 that decreases with temperature"},
-      {"width", "K", Role::shape, Range::closed(0.1, 1000.0), "width w in which this share falls by a factor of e"},
-      referenceParameter()},
-     makes<TransitionShift>("share", "width", "reference")});
+    380, {"transition_shift",
+          "Increase of the force towards the glass transition, b_T = 1 + a (exp(-(T - T_0)/w) - 1).",
+          {{"share", "1", Role::shape, Range::closed(0.0, 100.0),
+            "share a of the force at T_0 that decreases with temperature"},
+           {"width", "K", Role::shape, Range::closed(0.1, 1000.0),
+            "temperature difference w over which this share falls by a factor of e"},
+           referenceParameter()},
+          makes<TransitionShift>("share", "width", "reference")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

@@ -80,11 +80,11 @@ const ElementEntry kVariableFrictionEntry(
     {"variable_friction",
      "Friction behind a contact spring that slides at k y m (1 + |z|/d): the limit grows with displacement, wears with "
      "travel (m) and builds up again at rest.",
-     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
+     {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while the friction sticks"},
       {"yield_displacement", "m", Role::shape, Range::positive(),
        "displacement y of the spring at which the unworn friction slides near zero displacement"},
       {"growth_displacement", "m", Role::shape, Range::nonNegative(),
-       "displacement d at which the limit is twice that at zero; 0: no growth", 0.0},
+       "displacement d at which the limit is twice the limit at zero displacement; 0: no growth", 0.0},
       {"travel", "m", Role::shape, Range::nonNegative(), "travel s that wears the limit by a factor of e; 0: no wear",
        0.0},
       {"build_up_time", "s", Role::shape, Range::nonNegative(), "time T_b in which the limit builds up again; 0: never",

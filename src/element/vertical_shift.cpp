@@ -5,10 +5,11 @@
 namespace rubber_suspension::element {
 namespace {
 
-const ElementEntry kVerticalShiftEntry(370, {"vertical_shift",
-                                             "Shift of the force only with temperature, b_T = 1 + beta (T - T_0).",
-                                             {verticalParameter("coefficient", std::nullopt), referenceParameter()},
-                                             makes<VerticalShift>("coefficient", "reference")});
+const ElementEntry kVerticalShiftEntry(
+    370, {"vertical_shift",
+          "Shift of only the force, not the rates, with temperature, b_T = 1 + beta (T - T_0).",
+          {verticalParameter("coefficient", std::nullopt), referenceParameter()},
+          makes<VerticalShift>("coefficient", "reference")});
 
 }  // namespace
 }  // namespace rubber_suspension::element

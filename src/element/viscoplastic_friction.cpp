@@ -47,7 +47,7 @@ const ElementEntry kViscoplasticFrictionEntry(
     290, {"viscoplastic_friction",
           "Friction that approaches its limit k y with the rate, dF/dt = k (dz/dt - v_0 F/(k y - |F|)): at a steady "
           "rate v, F = k y v/(v_0 + |v|).",
-          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while it sticks"},
+          {{"stiffness", "N/m", Role::scale, Range::positive(), "stiffness k while the friction sticks"},
            {"yield_displacement", "m", Role::shape, Range::positive(),
             "displacement y of the spring at the limit k y of the force"},
            {"half_rate", "m/s", Role::shape, Range::positive(), "rate v_0 at which the force is half of the limit"}},

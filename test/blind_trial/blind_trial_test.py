@@ -298,8 +298,7 @@ class InvariantsTest(unittest.TestCase):
                 ("no set contains an improbable effect", {"confounded": [["creep"], ["friction"]]}),
                 ("the first set in the list is the named set", {"confounded": [["friction"]]}),
                 ("the probabilities of effects agree with the sets that contain them", {
-                    "candidates": [{"effect": "creep", "probability": 0.5,
-                                                                           "gap": 0.02}]}),
+                    "candidates": [{"effect": "creep", "probability": 0.5, "gap": 0.02}]}),
                 ("alternatives are sorted by probability", {"alternatives": [{"probability": 0.1}, {"probability": 0.2}]}),
                 ("the headline has the largest change", {
                     "sentence": "K_n is 10 % too low in the component file",
@@ -313,8 +312,7 @@ class InvariantsTest(unittest.TestCase):
                 ("the noise floor is not above any gap", {"gap": dict(gap, noise_floor=0.05)}),
                 ("effects are named if and only if the verdict names effects", {"effects": []}),
                 ("the verdict is the most probable explanation", {
-                    "posterior": {"none": 0.6, "parameter_error": 0.0, "effects": 0.4,
-                                                                "none_of_these": 0.0}}),
+                    "posterior": {"none": 0.6, "parameter_error": 0.0, "effects": 0.4, "none_of_these": 0.0}}),
                 ("the shares in `where` add up to 1", {"where": [{"share": 0.5}]}),
                 ("the interval contains the share closed", {"closed": {"fraction": 0.99, "interval_95": [0.2, 0.5]}})):
             self.assertIs(invariants.checked(dict(report_of("named", ["creep"]), **changes))[name], False, name)

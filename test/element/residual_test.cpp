@@ -203,16 +203,17 @@ TEST(Residual, RefusesWhatDoesNotFit) {
     std::string parameter;
     std::vector<double> values;
     std::string words;
-  } rows[] = {{"stops", {0.1, 0.2}, "stops: has 2 values; accepted: 6"},
-              {"weights", {1.0}, "weights: has 1 values; accepted: 44"},
-              {"characteristic", {1.0}, "characteristic: has 1 values; accepted: at least 2"},
-              {"resonances", {1.0}, "resonances: has 1 values; accepted: 8"},
-              {"resonances", {0.0}, "resonance_weights: 16 values; accepted: a single 0"},
-              {"resonances", {1, 2, 3, 4, 5, 6, 7, 0}, "resonances: 0 Hz is out of range"},
-              {"lowest", {1e-3}, "lowest: 0.001 m is out of range; accepted: at most 0"},
-              {"lowest", {-1.0}, "lowest: -1 m is out of range; accepted: in [-0.004, 0]"},
-              {"highest", {1.0}, "highest: 1 m is out of range; accepted: in ["},
-              {"highest_force", {-1.0}, "highest_force: -1 N is out of range"}};
+  } rows[] = {
+      {"stops", {0.1, 0.2}, "stops: has 2 values; accepted: 6"},
+      {"weights", {1.0}, "weights: has 1 values; accepted: 44"},
+      {"characteristic", {1.0}, "characteristic: has 1 values; accepted: at least 2"},
+      {"resonances", {1.0}, "resonances: has 1 values; accepted: 8"},
+      {"resonances", {0.0}, "resonance_weights: has 16 values, but there are no resonances; accepted: a single 0"},
+      {"resonances", {1, 2, 3, 4, 5, 6, 7, 0}, "resonances: 0 Hz is out of range"},
+      {"lowest", {1e-3}, "lowest: 0.001 m is out of range; accepted: at most 0"},
+      {"lowest", {-1.0}, "lowest: -1 m is out of range; accepted: in [-0.004, 0]"},
+      {"highest", {1.0}, "highest: 1 m is out of range; accepted: in ["},
+      {"highest_force", {-1.0}, "highest_force: -1 N is out of range"}};
   for (const auto& row : rows) {
     EXPECT_THAT(refusalOf(row.parameter, row.values), HasSubstr("residual." + row.words)) << row.parameter;
   }
