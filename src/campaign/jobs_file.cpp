@@ -148,7 +148,7 @@ class JobsReader : public io::YamlReader {
     checkMap(entry, {"uniform", "normal"});
     const bool is_normal = bool(entry["normal"]);
     if (is_normal == bool(entry["uniform"])) {
-      refuse(entry, "accepted: one of uniform and normal, with a share such as 5 %, or a value in " + row.unit);
+      refuse(entry, "accepted: either uniform or normal, with a share such as 5 %, or a value in " + row.unit);
     }
     std::string text;
     load(entry[is_normal ? "normal" : "uniform"], text);
@@ -230,7 +230,9 @@ class JobsReader : public io::YamlReader {
       }
     }
     if (options.evidence && options.reports == Reports::none) {
-      refuse(entry, "evidence: true needs a folder, but reports: none writes none; accepted: reports: data, full");
+      refuse(entry,
+             "evidence: true needs the folder of a report, but reports: none writes no folder; accepted: reports: "
+             "data, full");
     }
     try {
       logFormat(options);
@@ -250,7 +252,7 @@ class JobsReader : public io::YamlReader {
     for (const auto& [key, commands] : uses) {
       const bool used = std::find(commands.begin(), commands.end(), toString(command)) != commands.end();
       if (const Entry given = entry[key]; given && !used) {
-        const std::string problem = fmt::format("has no effect on the command {}; accepted: with the command {}",
+        const std::string problem = fmt::format("has no effect on the command {}; accepted: the command {}",
                                                 toString(command), fmt::join(commands, " or "));
         attempt([&] { refuse(given, problem); });
       }

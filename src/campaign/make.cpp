@@ -146,7 +146,7 @@ class Maker {
     }
     const std::size_t twice = manifest_.jobs.size() - manifest_.distinctJobs().size();
     if (twice > 0) {
-      notes_.push_back(fmt::format("{} jobs share the result of an equal job", twice));
+      notes_.push_back(fmt::format("{} jobs are equal to another job and share its result", twice));
     }
     return {std::move(manifest_), std::move(notes_), {}};
   }
@@ -359,7 +359,7 @@ class Maker {
     if (manifest_.jobs.size() < kMaximumJobs) {
       manifest_.jobs.push_back(job);
     } else {
-      problems_.push_back(fmt::format("{}: more than {} jobs; accepted: at most this number", path_, kMaximumJobs));
+      problems_.push_back(fmt::format("{0}: more than {1} jobs; accepted: at most {1} jobs", path_, kMaximumJobs));
     }
   }
 

@@ -75,7 +75,7 @@ void checkJob(const Job& job, std::size_t inputs) {
 Manifest readLines(const std::function<nlohmann::json()>& next) {
   Manifest manifest;
   const nlohmann::json header = next();
-  element::refuseIf(header.at("schema") != kManifestSchema, "the value of 'schema' is not that of a manifest");
+  element::refuseIf(header.at("schema") != kManifestSchema, "the value of 'schema' does not name a manifest");
   header.at("version").get_to(manifest.version);
   const auto inputs = header.at("inputs").get<std::size_t>();
   for (std::size_t i = 0; i < inputs; ++i) {

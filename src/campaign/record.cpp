@@ -92,11 +92,12 @@ std::string otherKind(const std::string& path) {
 void check(const Record& record, const std::string& text, const std::string& folder, const std::string& id,
            const std::string& version, FileCheck files) {
   using Error = std::runtime_error;
-  element::refuseIf<Error>(record.id != id, "it is the record of another job");
-  element::refuseIf<Error>(record.version != version, "it was written by version {}, not {}", record.version, version);
+  element::refuseIf<Error>(record.id != id, "the record belongs to another job");
+  element::refuseIf<Error>(record.version != version, "the record was written by version {}, not {}", record.version,
+                           version);
   const std::size_t digest = text.rfind(kDigestKey);
   element::refuseIf<Error>(digest == std::string::npos || withDigest(text.substr(0, digest) + "}") != text,
-                           "was changed since it was written");
+                           "the record was changed after it was written");
   for (const auto& [name, content] : record.files) {
     const std::string path = folder + "/" + reportFolder(record.id) + "/" + name;
     std::error_code missing;
@@ -104,7 +105,7 @@ void check(const Record& record, const std::string& text, const std::string& fol
     element::refuseIf<Error>(bool(missing), "{} is missing", path);
     element::refuseIf<Error>(found != content.size, "{} has {} bytes instead of {}", path, found, content.size);
     element::refuseIf<Error>(files == FileCheck::digests && io::hashFile(path).sha256 != content.sha256,
-                             "{} was changed since it was written", path);
+                             "{} was changed after it was written", path);
   }
 }
 

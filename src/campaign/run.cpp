@@ -126,7 +126,7 @@ RunSummary run(const std::string& folder, const std::string& version, const RunO
     const bool left = end == JobEnd::left;
     ++(left ? summary.not_done : summary.failed);
     progress.clear();
-    say(nameOf(job) + (left ? ": not done: " + reason + "; the next run repeats it" : ": failed: " + reason));
+    say(nameOf(job) + (left ? ": not done: " + reason + "; the next run repeats the job" : ": failed: " + reason));
   };
   callbacks.tick = [&](const std::vector<std::size_t>& running) {
     heartbeat.beat(manifest, running);

@@ -151,7 +151,7 @@ std::string toText(const Status& status) {
   }
   text += listText("failed:", status.failures);
   text += listText("broken records, whose jobs will be run again:", status.broken);
-  text += listText("runs that stopped reporting (their jobs count as missing):", status.silent_runs);
+  text += listText("runs that no longer report (their unfinished jobs count as missing):", status.silent_runs);
   const std::size_t left = status.all.jobs - status.all.done - status.all.failed;
   if (left > 0 && status.seconds_per_job > 0.0) {
     text += fmt::format("{} jobs remain: about {:.3g} min for one worker, {:.3g} s for each job\n", left,

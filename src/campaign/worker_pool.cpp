@@ -60,7 +60,7 @@ std::string describe(int status) {
   }
   const int signal = WTERMSIG(status);
   return fmt::format("the process was ended by signal {} ({}){}", signal, strsignal(signal),
-                     signal == SIGKILL ? " twice; is there enough memory?" : "");
+                     signal == SIGKILL ? " twice: perhaps there is too little memory" : "");
 }
 
 struct Worker {

@@ -102,7 +102,7 @@ std::vector<element::JenkinsSlider> slidersOf(const element::ElementDescription&
 void RadialLaw::addCurve(const element::ElementDescription& table) {
   if (hasCurve()) {
     throw std::invalid_argument(
-        "there is a second static curve or spring_table; accepted: one for all coupled directions");
+        "there is a second static curve or spring_table; accepted: one curve or table for all coupled directions");
   }
   const std::vector<double>& displacement = table.list("displacement");
   const element::ElementPointer law = element::makeElement(
@@ -115,14 +115,15 @@ void RadialLaw::addCurve(const element::ElementDescription& table) {
   for (const double z : displacement) {
     if (both_sides && std::abs(forceAt(law, z) + forceAt(law, -z)) > kSameToRounding * largest) {
       throw std::invalid_argument(
-          fmt::format("the static curve has {:g} at {:g} and {:g} at {:g}, which are two forces at the same radius; "
-                      "accepted: an odd curve, or points at displacements from 0 on",
+          fmt::format("the static curve has the force {:g} at {:g} and {:g} at {:g}, but both displacements are the "
+                      "same radius; accepted: an odd curve, or points at displacements from 0 on",
                       forceAt(law, z), z, forceAt(law, -z), -z));
     }
   }
   if (std::abs(forceAt(law, 0.0)) > kSameToRounding * largest) {
     throw std::invalid_argument(fmt::format(
-        "the static curve has {:g} at 0, where the radius has no direction; accepted: 0 at 0", forceAt(law, 0.0)));
+        "the static curve has the force {:g} at 0, where the radius has no direction; accepted: the force 0 at 0",
+        forceAt(law, 0.0)));
   }
   points_.push_back({0.0, 0.0, 0.0, 0.0});
   for (const double z : displacement) {
@@ -209,9 +210,10 @@ double RadialLaw::energy(double r) const {
 double RadialLaw::ratioOf(const element::ElementDescription& entry, const std::string& values) const {
   const element::PositionTable table(entry.type, entry.list("displacement"), values, entry.list(values));
   if (!hasCurve()) {
-    throw std::invalid_argument(fmt::format(
-        "{}.{} has no curve to follow; accepted: also a static_curve or spring_table, or maxwell and dashpot",
-        entry.type, values));
+    throw std::invalid_argument(
+        fmt::format("{}.{} has no curve to follow; accepted: a static_curve or spring_table in addition, or maxwell "
+                    "and dashpot instead",
+                    entry.type, values));
   }
   double ratio = 0.0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -222,8 +224,8 @@ double RadialLaw::ratioOf(const element::ElementDescription& entry, const std::s
       ratio = i == 0 && share == 0.25 ? here : ratio;
       if (!(here > 0.0 && std::abs(here - ratio) <= kSameToRounding * ratio)) {
         throw std::invalid_argument(
-            fmt::format("{}.{} is not proportional to the slope of the static curve at {:g}; accepted: values as "
-                        "scale_with: static_curve computes them",
+            fmt::format("{}.{} is not proportional to the slope of the static curve at {:g}; accepted: the values that "
+                        "scale_with: static_curve computes",
                         entry.type, values, r));
       }
     }
@@ -249,9 +251,9 @@ RadialCoupling::RadialCoupling(std::vector<Direction> directions, SixElements& e
       takeScaled(axis, sorted.scaled);
       one_law_ = one_law_ && sorted.elastic == first.elastic;
       if (sorted.friction != first.friction) {
-        throw std::invalid_argument(
-            fmt::format("its friction differs from that of {}; accepted: the same friction in both coupled directions",
-                        toString(directions_.front())));
+        throw std::invalid_argument(fmt::format(
+            "its friction differs from the friction of {}; accepted: the same friction in both coupled directions",
+            toString(directions_.front())));
       }
       elements[direction] = std::move(sorted.along);
     } catch (const std::invalid_argument& error) {

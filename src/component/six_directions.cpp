@@ -134,8 +134,8 @@ void SixDirections::couple(std::vector<Direction> directions, SixElements& eleme
   for (const Direction direction : directions) {
     if (elements[direction].empty() && given > 1) {
       throw std::invalid_argument(
-          fmt::format("{}: is missing, but other directions coupled with it are given; accepted: all coupled "
-                      "directions, or one for all of them",
+          fmt::format("{}: is missing, but several directions coupled with it are given; accepted: all coupled "
+                      "directions, or one direction for all of them",
                       toString(direction)));
     }
     if (elements[direction].empty()) {

@@ -15,7 +15,7 @@ TrialStepper::TrialStepper(const Component& component)
 double TrialStepper::since(double time) const {
   if (!(time >= time_)) {
     throw std::invalid_argument(fmt::format(
-        "time {:.9g} s is before that of the accepted step, {:.9g} s; accepted: a later time", time, time_));
+        "time {:.9g} s is before the time of the accepted step, {:.9g} s; accepted: a later time", time, time_));
   }
   return time - time_;
 }
@@ -38,8 +38,8 @@ element::ComponentForce TrialStepper::attempt(double time, double displacement) 
 Tangent TrialStepper::tangent(double time, double displacement) {
   const double dt = since(time);
   if (dt == 0.0) {
-    throw std::invalid_argument(fmt::format(
-        "there is no tangent at the time of the accepted step itself, {:.9g} s; accepted: a later time", time));
+    throw std::invalid_argument(
+        fmt::format("no tangent exists at the time of the accepted step, {:.9g} s; accepted: a later time", time));
   }
   return component_.tangent(accepted_, dt, displacement, trial_);
 }

@@ -62,7 +62,7 @@ void addStaticStiffness(const Values& values, LoadDirection direction, DataSheet
   if (values.count("shore_a") == 0) {
     for (const char* key : {"loaded_area", "layer_thickness", "shape_factor", "layers"}) {
       element::refuseIf(values.count(key) != 0,
-                        "{}: is given without shore_a; the shape alone does not determine a stiffness", key);
+                        "{}: is given without shore_a, but the shape alone does not determine a stiffness", key);
     }
     return;
   }

@@ -100,7 +100,7 @@ std::optional<Obstacle> maxwellDashpotObstacle(const Specification& specificatio
   }
   return Obstacle{"break_frequency",
                   fmt::format("gives the Maxwell element alone a larger loss than the loss angle allows, so that the "
-                              "dashpot would be negative; its limit is {:.6g} Hz",
+                              "dashpot would be negative; the largest break frequency is {:.6g} Hz",
                               limit)};
 }
 

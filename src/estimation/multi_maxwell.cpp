@@ -277,9 +277,10 @@ std::optional<Obstacle> highStiffnessObstacle(const Inputs& inputs) {
     return std::nullopt;
   }
   const WrittenUnit unit = inputs.specification.writtenUnit("high_frequency_stiffness");
-  return Obstacle{"high_frequency_stiffness",
-                  fmt::format("cannot be reached by {} elements that meet K_n; these have {:.6g} to {:.6g} {}",
-                              b.size(), low / unit.size, high / unit.size, unit.name)};
+  return Obstacle{
+      "high_frequency_stiffness",
+      fmt::format("cannot be reached with {} elements that meet K_n; such elements have {:.6g} to {:.6g} {}", b.size(),
+                  low / unit.size, high / unit.size, unit.name)};
 }
 
 std::optional<Obstacle> highFrequencyForAngleObstacle(const Inputs& inputs) {
@@ -287,7 +288,7 @@ std::optional<Obstacle> highFrequencyForAngleObstacle(const Inputs& inputs) {
     return std::nullopt;
   }
   return Obstacle{"loss_angle",
-                  fmt::format("cannot be reached by {} elements with the other inputs at any high_frequency above {}",
+                  fmt::format("cannot be reached with {} elements and the other inputs at any high_frequency above {}",
                               inputs.elements, inputText(inputs.specification, "nominal_frequency"))};
 }
 

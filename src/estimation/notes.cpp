@@ -44,8 +44,8 @@ std::string highFrequencyNote(const Specification& specification, double high_fr
   const double stiffness = std::abs(stiffnessAt(estimateTangent(Model::multi_maxwell, specification), high_frequency));
   const WrittenUnit unit = specification.writtenUnit("maximum_stiffness");
   return fmt::format(
-      "K at high_frequency, {:.6g} Hz, is only {:.6g} {}, because maximum_stiffness is the limit at any frequency; to "
-      "specify K at high_frequency, give high_frequency_stiffness",
+      "K at high_frequency, {:.6g} Hz, is only {:.6g} {}, because maximum_stiffness is the limit for infinite "
+      "frequency; to specify K at high_frequency, give high_frequency_stiffness",
       high_frequency, stiffness / unit.size, unit.name);
 }
 
@@ -57,14 +57,14 @@ std::vector<std::string> multiMaxwellNotes(const Specification& specification) {
   }
   if (!specification.has("low_frequency")) {
     notes.push_back(
-        fmt::format("low_frequency is {:.6g} Hz, from f_l = n_M f_h/10^(n_M-1), a reconstruction of the illegible Eq. "
-                    "22 of the paper; give low_frequency for another value",
+        fmt::format("low_frequency is {:.6g} Hz, computed with f_l = n_M f_h/10^(n_M-1), which is a reconstruction of "
+                    "the illegible Eq. 22 of the paper; for another value, give low_frequency",
                     band.low_frequency));
   }
   if (!specification.has("high_frequency")) {
     notes.push_back(
-        fmt::format("high_frequency is {:.6g} Hz, from the loss angle; if several values fit, this is the lowest above "
-                    "nominal_frequency",
+        fmt::format("high_frequency is {:.6g} Hz, computed from the loss angle; if several values are possible, this "
+                    "is the lowest value above nominal_frequency",
                     band.high_frequency));
   }
   return notes;
@@ -76,8 +76,8 @@ void addSharpFriction(std::vector<std::string>& notes, Model model, const Specif
   for (const element::ElementDescription& entry : estimateTangent(model, specification)) {
     if (entry.type == "friction" && entry.value("displacement") < kSharp * specification.at("nominal_amplitude")) {
       notes.push_back(fmt::format(
-          "friction reaches half of its limit at z2 = {:.2g} m, {:.2g} % of the amplitude: nearly Coulomb friction, "
-          "because this dynamic stiffness allows hardly more loss; rubber has z2 near the amplitude",
+          "friction reaches half of its limit at z2 = {:.2g} m, {:.2g} % of the amplitude: this is nearly Coulomb "
+          "friction, because the dynamic stiffness allows hardly more loss; for rubber, z2 is near the amplitude",
           entry.value("displacement"), 100.0 * entry.value("displacement") / specification.at("nominal_amplitude")));
     }
   }
@@ -87,7 +87,8 @@ void addSharpFriction(std::vector<std::string>& notes, Model model, const Specif
 
 std::vector<std::string> estimationNotes(Model model, const Specification& specification) {
   if (!specification.preloads().empty()) {
-    return {"Maxwell elements and dashpots vary linearly between the preloads and are constant beyond them"};
+    return {
+        "the values of Maxwell elements and dashpots vary linearly between the preloads and are constant beyond them"};
   }
   if (model == Model::multi_maxwell) {
     return multiMaxwellNotes(specification);
@@ -115,10 +116,11 @@ std::vector<std::string> specificationWarnings(const Specification& specificatio
   std::vector<std::string> warnings;
   warnOfSoftness(warnings, specification);
   warnOfNeighbours(warnings, specification, "maximum_stiffness", "dynamic_stiffness",
-                   "no measurement can distinguish them, but the estimated break frequencies depend on the difference");
-  warnOfNeighbours(
-      warnings, specification, "dynamic_stiffness", "static_stiffness",
-      "no measurement can distinguish them, but the estimated damping or friction depends on the difference");
+                   "no measurement can distinguish these two values, but the estimated break frequencies depend on "
+                   "their difference");
+  warnOfNeighbours(warnings, specification, "dynamic_stiffness", "static_stiffness",
+                   "no measurement can distinguish these two values, but the estimated damping or friction depends on "
+                   "their difference");
   return warnings;
 }
 

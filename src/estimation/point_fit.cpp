@@ -51,7 +51,7 @@ class PointFit {
       best = found.cost < best.cost ? found : best;
     }
     element::refuseIf(!std::isfinite(best.cost),
-                      "points: the model cannot be fitted; accepted: points of one component");
+                      "points: the model cannot be fitted to these points; accepted: points of one component");
     return result(best.search);
   }
 
@@ -177,17 +177,19 @@ class PointFit {
     if (const auto level = given_.find("static_stiffness")) {
       return *level;
     }
-    element::refuseIf(given_.curve() == nullptr,
-                      "points: none has a stiffness; accepted: at least one stiffness, or static_stiffness");
+    element::refuseIf(
+        given_.curve() == nullptr,
+        "points: no point has a stiffness; accepted: a stiffness in at least one point, or static_stiffness");
     return given_.curve()->tangentAt(nominalDisplacement(given_));
   }
 
   void checkCount() const {
     const auto moved = std::count_if(numbers_.begin(), numbers_.end(), [](const auto& number) { return !number.kept; });
     if (moved > residualCount()) {
-      throw std::invalid_argument(fmt::format(
-          "points: {} values for {} free parameters of model {}; accepted: at least as many, or static_stiffness{}",
-          residualCount(), moved, toString(model_), hasMaxwell() ? " and break_frequency" : ""));
+      throw std::invalid_argument(
+          fmt::format("points: {0} values do not determine {1} free parameters of model {2}; accepted: at least {1} "
+                      "values, or static_stiffness{3}",
+                      residualCount(), moved, toString(model_), hasMaxwell() ? " and break_frequency" : ""));
     }
   }
 

@@ -35,7 +35,7 @@ std::vector<element::ElementDescription> noElements(const Specification& /*speci
 const std::vector<NamedModel>& models() {
   static const std::vector<NamedModel> table = {
       {{Model::kelvin_voigt,
-        "M1: spring and dashpot; the spring has K_n, and static_stiffness is not used",
+        "M1: spring and dashpot; the spring has the stiffness K_n, and static_stiffness is not used",
         {"dynamic_stiffness", "nominal_frequency"},
         {{"relative_damping", "loss_angle"}},
         {"static_stiffness"},
@@ -89,8 +89,8 @@ const std::vector<NamedModel>& models() {
        bergObstacle,
        estimateBerg},
       {{Model::multi_maxwell,
-        "M2 with n_M Maxwell elements from five inputs; without low_frequency it is n_M f_h/10^(n_M-1), which is a "
-        "reconstruction of the paper's illegible Eq. 22",
+        "M2 with n_M Maxwell elements from five inputs; if low_frequency is not given, its value is n_M "
+        "f_h/10^(n_M-1), a reconstruction of the paper's illegible Eq. 22",
         {"static_stiffness", "dynamic_stiffness", "nominal_frequency"},
         {},
         {"maxwell_elements", "low_frequency", "high_frequency_stiffness"},
@@ -163,7 +163,7 @@ std::string missingText(const std::vector<std::string>& missing, std::size_t nee
   const std::vector<std::string> others(split, missing.end());
   return fmt::format("{} {} missing{}", fmt::join(first, " and "), needed == 1 ? "is" : "are",
                      others.empty() ? ""
-                                    : fmt::format(", or {} in place of {}", fmt::join(others, " or "),
+                                    : fmt::format(", or {} instead of {}", fmt::join(others, " or "),
                                                   needed == 1 ? "it" : "one of them"));
 }
 
@@ -191,12 +191,14 @@ void checkHighFrequency(const NamedModel& model, const Specification& specificat
   const bool stiffness = specification.has("high_frequency_stiffness");
   element::refuseIf(stiffness && !specification.has("high_frequency"),
                     "high_frequency is missing; accepted: the frequency at which high_frequency_stiffness holds");
-  element::refuseIf(!stiffness && model.info.model == Model::maxwell,
-                    "high_frequency: model maxwell needs high_frequency_stiffness with it; accepted: both or neither");
+  element::refuseIf(
+      !stiffness && model.info.model == Model::maxwell,
+      "high_frequency: is given without high_frequency_stiffness; accepted by model maxwell: both or neither");
   for (const char* other : {"maximum_stiffness", "loss_angle"}) {
-    element::refuseIf(stiffness && specification.has(other),
-                      "{0}: is given with high_frequency_stiffness, which replaces it; accepted: one of the two",
-                      other);
+    element::refuseIf(
+        stiffness && specification.has(other),
+        "{0}: is given together with high_frequency_stiffness, which replaces it; accepted: only one of the two",
+        other);
   }
 }
 
@@ -242,12 +244,14 @@ Specification tangentOf(Model model, const Specification& specification) {
   }
   const char* key = model == Model::kelvin_voigt ? "dynamic_stiffness" : "static_stiffness";
   element::refuseIf(specification.has(key),
-                    "{}: is given with static_curve, whose tangent it is; accepted: one of the two", key);
+                    "{}: is given together with static_curve, which already determines it as a tangent; accepted: only "
+                    "one of the two",
+                    key);
   Specification tangent = specification;
   const double stiffness = specification.curve()->tangentAt(nominalDisplacement(specification));
   if (!(stiffness > 0.0)) {
     throw std::invalid_argument(
-        fmt::format("static_curve: its tangent at the working point, {:g} m, is {:.6g} N/m; accepted: a "
+        fmt::format("static_curve: the tangent at the working point, {:g} m, is {:.6g} N/m; accepted: a "
                     "nominal_displacement or nominal_force at which the curve rises",
                     nominalDisplacement(specification), stiffness));
   }
@@ -303,11 +307,11 @@ const std::vector<element::ParameterInfo>& specificationParameters() {
       {"viscous_share", "1", Role::choice, Range::openAbove(0.0, 1.0), "viscous share of the loss energy at (f_n, A_n)",
        0.2},
       {"high_frequency_stiffness", "N/m", Role::shape, Range::positive(),
-       "stiffness K at f_h and A_n, instead of K_max"},
+       "stiffness K at f_h and A_n; give this stiffness instead of K_max"},
       {"nominal_displacement", "m", Role::reference, Range::any(),
        "displacement about which K_n and loss angle hold, and at which K_st is the tangent of static_curve", 0.0},
       {"nominal_force", "N", Role::reference, Range::any(),
-       "force of static_curve at nominal_displacement, instead of it"},
+       "force of static_curve at the nominal displacement; give this force instead of nominal_displacement"},
   };
   return table;
 }
@@ -362,9 +366,9 @@ bool isSolvable(Model model, const Specification& specification) {
 }
 
 std::vector<element::ElementDescription> estimateTangent(Model model, const Specification& given) {
-  element::refuseIf(!given.points().empty() || given.describes() == Describes::component,
-                    "describes: the specification is not that of the model alone; accepted: the specification that "
-                    "resolve() returns");
+  element::refuseIf(
+      !given.points().empty() || given.describes() == Describes::component,
+      "describes: the specification describes more than the model; accepted: the specification that resolve() returns");
   checkSpecification(model, given);
   const Specification specification = tangentOf(model, given);
   if (const auto obstacle = findObstacle(entry(model), specification)) {
@@ -415,7 +419,7 @@ std::vector<element::ElementDescription> joined(const std::vector<double>& displ
 void checkPreloads(Model model, const Specification& given) {
   element::refuseIf(given.curve() == nullptr, "preloads: are given without static_curve; accepted: both or neither");
   element::refuseIf(given.describes() == Describes::component || !given.points().empty(),
-                    "preloads: these are numbers of the base; accepted: with describes: base and without points");
+                    "preloads: the blocks describe the base; accepted: describes: base, without points");
   element::refuseIf(model == Model::friction || model == Model::friction_dashpot || model == Model::berg,
                     "preloads: the friction of model {} cannot vary with the preload; accepted: kelvin_voigt, maxwell, "
                     "maxwell_dashpot, multi_maxwell",

@@ -47,10 +47,10 @@ void StaticCurve::check() const {
     const std::string place = fmt::format("static_curve: the force {} from {:g} m to {:g} m",
                                           rise < 0.0 ? "falls" : "does not rise", displacement[i - 1], displacement[i]);
     element::refuseIf(scales && !(rise > 0.0),
-                      "{}, where elements that scale with the curve would create energy; accepted: forces that rise, "
-                      "or scale_with: none",
+                      "{}, and elements that scale with the curve would create energy there; accepted: forces that "
+                      "rise, or scale_with: none",
                       place);
-    element::refuseIf(monotone && rise < 0.0, "{}; accepted with monotone: true: forces that do not fall", place);
+    element::refuseIf(monotone && rise < 0.0, "{}; with monotone: true the forces must not decrease", place);
   }
 }
 
@@ -139,9 +139,10 @@ element::ElementDescription scaledAlong(const StaticCurve& curve, double nominal
   if (auto scaled = scaledEntry(SlopeFactor(curve, nominal_displacement), entry)) {
     return *scaled;
   }
-  throw std::invalid_argument(fmt::format(
-      "{}.scale_with: cannot scale with a curve; accepted: maxwell, dashpot, coulomb_friction, iwan, iwan_table",
-      entry.type));
+  throw std::invalid_argument(
+      fmt::format("{}.scale_with: this element cannot scale with a curve; accepted: maxwell, dashpot, "
+                  "coulomb_friction, iwan, iwan_table",
+                  entry.type));
 }
 
 element::ElementDescription springOf(const StaticCurve& curve) {

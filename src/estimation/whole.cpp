@@ -74,7 +74,7 @@ class Whole {
     base_.describe(Describes::base);
     element::refuseIf(model == Model::kelvin_voigt && given.curve() != nullptr,
                       "describes: component: model kelvin_voigt has static_curve as its spring, and thus no parameter "
-                      "to meet a stiffness; accepted: base, or another model");
+                      "that could be adapted to a stiffness; accepted: base, or another model");
     mean_ = nominalDisplacement(given);
     std::copy_if(add.begin(), add.end(), std::back_inserter(add_), settles);
     element::refuseIf(!given.has("nominal_amplitude") && !isLinear(),
@@ -338,10 +338,11 @@ std::vector<std::string> notesOf(const Entries& add) {
       names.push_back(entry.type);
     }
   }
-  return names.empty() ? std::vector<std::string>{}
-                       : std::vector<std::string>{fmt::format(
-                             "the specified stiffness and loss exclude these, which never settle under a sine: {}",
-                             fmt::join(names, ", "))};
+  return names.empty()
+             ? std::vector<std::string>{}
+             : std::vector<std::string>{fmt::format(
+                   "the specified stiffness and loss do not include elements that never settle under a sine: {}",
+                   fmt::join(names, ", "))};
 }
 
 bool hasSolution(Model model, const Specification& specification, const Entries& add) {

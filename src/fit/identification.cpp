@@ -46,7 +46,7 @@ void checkLog(const log::Log& log, std::size_t number) {
   }
   for (const auto& [name, values] : {std::pair("displacement", &log.displacement), {"force", &log.force}}) {
     const auto [low, high] = std::minmax_element(values->begin(), values->end());
-    refuseIf(*low == *high, "log {}: the {} does not change; accepted: a log in which it changes", number, name);
+    refuseIf(*low == *high, "log {0}: the {1} does not change; accepted: a log with a varying {1}", number, name);
   }
 }
 
@@ -261,7 +261,7 @@ void dropElementsWithoutForce(Identification& result) {
       return parameter.index == static_cast<int>(i) && parameter.value == 0.0;
     });
     if (zero) {
-      result.notes.push_back(fmt::format("{} {} has no force in the fit; it was removed from the elements",
+      result.notes.push_back(fmt::format("{} {} has no force in the fit and was removed from the elements",
                                          result.elements[i].type, i + 1));
     } else {
       new_index[i] = static_cast<int>(kept.size());
@@ -280,8 +280,8 @@ void describeResiduals(Identification& result, const Eigen::VectorXd& residual, 
   result.relative_residual = gap::gapOfResidual(residual, gap::standardDeviation(force));
   if (result.relative_residual > 0.02 && result.independent_samples < count / 50.0) {
     result.notes.push_back(
-        "the residuals are strongly correlated in time: the model lacks something that the intervals do not include; "
-        "use the command diagnose to find it");
+        "the residuals are strongly correlated in time: the model lacks an effect, whose error the intervals do not "
+        "include; use the command diagnose to find the effect");
   }
 }
 

@@ -336,7 +336,7 @@ class Superposition {
     element::refuseIf(
         !(largest > kScan),
         "table: the curves of neighbouring temperatures do not overlap, so that their shift is undetermined; accepted: "
-        "at each temperature several frequencies, whose range overlaps that of its neighbours");
+        "several frequencies at each temperature, in ranges that overlap between neighbouring temperatures");
     double best = std::numeric_limits<double>::infinity();
     VectorXd start(1);
     for (double decades = kScan; decades <= largest; decades += kScan) {

@@ -117,8 +117,8 @@ std::vector<std::string> notesOf(const Iso18571& iso) {
   std::vector<std::string> notes;
   if (iso.repeats) {
     notes.emplace_back(
-        "the measured force is periodic, but ISO/TS 18571 applies to signals that are not: its shift may lead to "
-        "another cycle");
+        "the measured force is periodic, but ISO/TS 18571 applies to signals that are not periodic: its shift in time "
+        "may lead to another cycle");
   }
   if (iso.blocks > 1) {
     notes.push_back(fmt::format("the magnitude of ISO/TS 18571 was computed in {} blocks: the log exceeds {} samples",
@@ -165,14 +165,15 @@ std::optional<double> Agreement::energyError() const {
 
 Agreement agreementOf(const log::Log& log, const std::vector<double>& simulated, std::size_t first) {
   element::refuseIf(simulated.size() != log.size() || log.force.size() != log.size(),
-                    "{}: {} measured and {} simulated forces for {} samples; accepted: one of each per sample",
+                    "{}: {} measured and {} simulated forces for {} samples; accepted: one measured and one simulated "
+                    "force for each sample",
                     log.name, log.force.size(), simulated.size(), log.size());
   element::refuseIf(first + 2 > log.size(), "{}: fewer than two samples remain to be compared", log.name);
   const log::Log both = bothForces(log, simulated, first);
   for (std::size_t i = 0; i < both.size(); ++i) {
     element::refuseIf(std::abs(both.force[i]) > element::kLargestNumber,
-                      "{}: sample {}, {:g} s after the start: simulated force {:g} N; accepted: up to {:g} N", log.name,
-                      first + i + 1, log.duration(0, first + i), both.force[i], element::kLargestNumber);
+                      "{}: sample {}, {:g} s after the start: the simulated force is {:g} N; accepted: up to {:g} N",
+                      log.name, first + i + 1, log.duration(0, first + i), both.force[i], element::kLargestNumber);
   }
   Agreement agreement;
   const std::vector<double> counts =

@@ -66,8 +66,9 @@ void addParts(const PreparedRecord& record, const Eigen::VectorXd& residual, con
 double relativeGap(const std::vector<double>& measured, const std::vector<double>& simulated,
                    const std::vector<double>& counts) {
   if (measured.empty() || measured.size() != simulated.size()) {
-    throw std::invalid_argument(fmt::format("{} measured and {} simulated forces; accepted: equally many, at least one",
-                                            measured.size(), simulated.size()));
+    throw std::invalid_argument(
+        fmt::format("there are {} measured and {} simulated forces; accepted: equal numbers, at least 1",
+                    measured.size(), simulated.size()));
   }
   const auto counted = [&](std::size_t i) { return counts.empty() || counts[i] > 0.0; };
   double sum = 0.0;
@@ -86,7 +87,8 @@ double relativeGap(const std::vector<double>& measured, const std::vector<double
     }
   }
   if (!(variance > 0.0)) {
-    throw std::invalid_argument(fmt::format("measured force is {:g} N throughout; accepted: a varying force", mean));
+    throw std::invalid_argument(
+        fmt::format("the measured force is {:g} N throughout; accepted: a varying force", mean));
   }
   return std::sqrt(gap / variance);
 }

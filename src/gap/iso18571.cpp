@@ -293,7 +293,7 @@ bool repeatsItself(const Signal& signal) {
 
 Iso18571 rateIso18571(const Eigen::VectorXd& measured, const Eigen::VectorXd& simulated, Eigen::Index warped_whole) {
   element::refuseIf(measured.size() != simulated.size() || measured.size() < 2,
-                    "ISO/TS 18571: {} measured and {} simulated values; accepted: equally many, at least two",
+                    "ISO/TS 18571: there are {} measured and {} simulated values; accepted: equal numbers, at least 2",
                     measured.size(), simulated.size());
   element::refuseIf(!measured.allFinite() || measured.minCoeff() == measured.maxCoeff(),
                     "ISO/TS 18571: the measured signal is constant or not finite");

@@ -49,7 +49,7 @@ std::optional<std::string> oddStiffness(double stroke, double measured, double s
   }
   return fmt::format(
       "the log has a stroke of {:.3g} m and a measured force range of {:.3g} N, which is {:.2g} times {} than the "
-      "component ({:.3g} N): are the units of the columns right?",
+      "model predicts ({:.3g} N): are the units of the columns right?",
       stroke, measured, ratio < 1.0 ? 1.0 / ratio : ratio, ratio < 1.0 ? "softer" : "stiffer", simulated);
 }
 
@@ -64,9 +64,10 @@ MotionScale motionScaleOf(const io::ComponentDescription& description) {
 std::optional<std::string> oddAmplitude(double amplitude, const MotionScale& scale) {
   if (scale) {
     const double ratio = amplitude / *scale;
-    return ratio > kOddFactor ? std::optional(fmt::format("{:.3g} m is {:.2g} times the component's nominal {:.3g} m",
-                                                          amplitude, ratio, *scale))
-                              : std::nullopt;
+    return ratio > kOddFactor
+               ? std::optional(fmt::format("{:.3g} m is {:.2g} times the component's nominal amplitude of {:.3g} m",
+                                           amplitude, ratio, *scale))
+               : std::nullopt;
   }
   return amplitude > kLongestAmplitude
              ? std::optional(fmt::format("{:.3g} m is more than the travel of any rubber component", amplitude))

@@ -356,7 +356,7 @@ Explanation silent(const Shown& log) {
     return std::nullopt;
   }
   return fatal(record.name, finding::kConstant, log.force_ratio, "1",
-               "the force does not respond to the displacement: it only scatters by {:.3g} N, {:.2g} % of the "
+               "the force does not respond to the displacement, but only scatters by {:.3g} N, {:.2g} % of the "
                "component's force: check the clamps and the channel's cable",
                record.force_deviation, 100.0 * log.force_ratio);
 }
@@ -579,7 +579,7 @@ std::optional<RigFinding> scaleOf(const Shown& log, const std::vector<const Show
   };
   if (isOfAll(kLike, [&](double other) { return !sheet.plausible(other); })) {
     const auto unit = sheet.namedFactorOf(common);
-    const std::string all = logs.size() == 1 ? "" : fmt::format(", in all {} logs alike", logs.size());
+    const std::string all = logs.size() == 1 ? "" : fmt::format(", equally in all {} logs", logs.size());
     return unit ? unitFinding(name, scale, *unit) : componentFinding(name, scale, sheet, all);
   }
   if (!sheet.mayBe(kPeakToPeak) && isOfAll(kJustLike, isAboutTwo) && isAboutTwo(common)) {

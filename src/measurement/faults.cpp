@@ -523,7 +523,7 @@ void addSpikes(const std::string& name, const Channel& channel, const Channel& o
   }
   findings.push_back(counted(name, finding::kSpikes, static_cast<double>(holes.size()),
                              fmt::format("{} spike{} in the {} only, the first at sample {}, the largest {:.2g} % of "
-                                         "its range: excluded; check cable and connector",
+                                         "its range: these samples are excluded; check cable and connector",
                                          holes.size(), holes.size() == 1 ? "" : "s", channel.name(),
                                          holes.front().begin + 1, 100.0 * largest / channel.range)));
 }
@@ -542,7 +542,7 @@ void addHolds(const std::string& name, const Channel& channel, const Channel& ot
   findings.push_back(
       counted(name, finding::kHeldValues, static_cast<double>(samples),
               fmt::format("the {} repeats its value for {} samples in {} place{}, the first from sample {}, while the "
-                          "{} continues to change: excluded; check the connection for dropouts",
+                          "{} continues to change: these samples are excluded; check the connection for dropouts",
                           channel.name(), samples, holds.size(), holds.size() == 1 ? "" : "s", holds.front().begin + 1,
                           other.name())));
 }

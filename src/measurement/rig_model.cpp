@@ -365,7 +365,8 @@ RigModel::RigModel(std::vector<gap::PreparedRecord> records, std::vector<Mask> m
     : records_(std::move(records)), masks_(std::move(masks)), tolerances_(tolerances) {
   if (!masks_.empty() && masks_.size() != records_.size()) {
     throw std::invalid_argument(
-        fmt::format("{} masks for {} records; accepted: one for each, or none", masks_.size(), records_.size()));
+        fmt::format("there are {} masks for {} records; accepted: one mask for each record, or none", masks_.size(),
+                    records_.size()));
   }
   masks_.resize(records_.size());
   for (std::size_t i = 0; i < records_.size(); ++i) {
@@ -373,8 +374,8 @@ RigModel::RigModel(std::vector<gap::PreparedRecord> records, std::vector<Mask> m
       masks_[i] = Mask::Constant(records_[i].size(), true);
     }
     if (masks_[i].size() != records_[i].size()) {
-      throw std::invalid_argument(fmt::format("{}: a mask of {} samples for {}; accepted: as many", records_[i].name,
-                                              masks_[i].size(), records_[i].size()));
+      throw std::invalid_argument(fmt::format("{}: the mask has {} samples, the log has {}; accepted: equal numbers",
+                                              records_[i].name, masks_[i].size(), records_[i].size()));
     }
   }
 }

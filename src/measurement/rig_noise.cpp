@@ -52,8 +52,8 @@ std::vector<LogWeight> weightsByNoise(const std::vector<double>& noise, double a
     sum += weight;
     if (weight < 1.0) {
       note = fmt::format(
-          "the noise beyond the model alone is {:.2g} % of the force; this log has {:.2g} times the weight of other "
-          "logs",
+          "the noise that the model does not explain is {:.2g} % of the force; this log has {:.2g} times the weight of "
+          "other logs",
           100.0 * noise[r], weight);
     }
   }

@@ -44,7 +44,8 @@ class Motion {
 
   static void requireFiniteForce(double force, double displacement) {
     element::refuseIf(!std::isfinite(force),
-                      "displacement: {:g} m gives a force that is not finite; accepted: a smaller one", displacement);
+                      "displacement: {:g} m gives a force that is not finite; accepted: a smaller displacement",
+                      displacement);
   }
 
   static void requirePositive(double dt) {
@@ -109,8 +110,9 @@ py::tuple characteristics(const ComponentDescription& description, const py::obj
                           const py::object& amplitude) {
   const std::vector<double> frequencies = toVector(frequency, "frequency");
   const std::vector<double> amplitudes = toVector(amplitude, "amplitude");
-  element::refuseIf(frequencies.size() != amplitudes.size(), "{} frequencies and {} amplitudes; accepted: equally many",
-                    frequencies.size(), amplitudes.size());
+  element::refuseIf(frequencies.size() != amplitudes.size(),
+                    "there are {} frequencies and {} amplitudes; accepted: equal numbers", frequencies.size(),
+                    amplitudes.size());
   std::vector<double> stiffness;
   std::vector<double> loss_angle;
   {
@@ -118,8 +120,8 @@ py::tuple characteristics(const ComponentDescription& description, const py::obj
     const component::Component component = description.makeComponent();
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
       element::refuseIf(frequencies[i] <= 0.0 || amplitudes[i] <= 0.0,
-                        "a sine of {:g} Hz and {:g} m is impossible; accepted: both greater than 0", frequencies[i],
-                        amplitudes[i]);
+                        "a sine of {:g} Hz and {:g} m is impossible; accepted: frequency and amplitude greater than 0",
+                        frequencies[i], amplitudes[i]);
       const response::SweepPoint point = response::characteristicsAt(component, frequencies[i], amplitudes[i]);
       element::refuseIf(!point.settled, "{:g} Hz and {:g} m: the loop does not settle", frequencies[i], amplitudes[i]);
       stiffness.push_back(point.characteristics.stiffness);
@@ -148,7 +150,7 @@ estimation::SheetTolerance toTolerance(const py::handle& value) {
   estimation::SheetTolerance tolerance;
   for (const auto& [key, share] : py::cast<py::dict>(value)) {
     const auto name = py::cast<std::string>(key);
-    element::refuseIf(!estimation::isOfSheet(name), "tolerance: '{}' is not a number of a data sheet", name);
+    element::refuseIf(!estimation::isOfSheet(name), "tolerance: '{}' is not an input of a data sheet", name);
     tolerance.by_key[name] = toShare(share);
   }
   return tolerance;
@@ -222,9 +224,9 @@ void addComponents(py::module_& module) {
           "Inputs of the model in SI units; empty without a specification.")
       .def_property_readonly(
           "elements", [](const ComponentDescription& d) { return fromElements(d.allElements()); },
-          "All elements, those of the model and those that are added.")
+          "All elements: the elements of the model and the added elements.")
       .def("without_rig", &ComponentDescription::withoutRig,
-           "The component without the elements that describe the test rig: entries with of_rig, and those of the "
+           "The component without the elements that describe the test rig: entries with of_rig, and elements of the "
            "measuring chain.")
       .def(
           "start",
@@ -235,7 +237,7 @@ void addComponents(py::module_& module) {
       .def("simulate", &simulate, py::arg("displacement"), py::arg("dt"),
            "Forces [N] for displacements [m] in steps of dt [s], from rest at the first. Raises ValueError.")
       .def("replay", &replay, py::arg("log"),
-           "Forces [N] at the samples of a log, identical to those of replay and the node. Raises LogError.")
+           "Forces [N] at the samples of a log, identical to the forces of replay and of the node. Raises LogError.")
       .def("stiffness", &stiffness, py::arg("frequency"), py::arg("temperature") = py::none(),
            "Complex dynamic stiffness [N/m] at a frequency [Hz] or an array of them, and at a temperature [degC] if "
            "the component shifts with temperature; None for a nonlinear component. Raises ValueError.")
@@ -248,7 +250,8 @@ void addComponents(py::module_& module) {
         return fmt::format("<Component {}, model {}>", d.name, estimation::toString(d.model()));
       });
   module.def("load", &load, py::arg("path"), py::arg("component") = "",
-             "Load a component by name from a file; without a name, the only one. Raises ComponentFileError.");
+             "Load a component by name from a file; without a name, the only component of the file. Raises "
+             "ComponentFileError.");
   module.def("estimate", &estimate, py::arg("model"), py::pos_only(), py::arg("name") = "component",
              "A component from its specification: estimate('multi_maxwell', static_stiffness='3 kN/mm', ...). Raises "
              "ValueError.");

@@ -20,7 +20,7 @@ Diagnosis diagnose(const io::ComponentDescription& component, const std::vector<
   };
   for (const log::Log& log : hold_out) {
     if (std::any_of(logs.begin(), logs.end(), [&](const log::Log& other) { return is_same(log, other); })) {
-      throw std::invalid_argument(log.name + ": is in logs and in hold_out; accepted: each log once");
+      throw std::invalid_argument(log.name + ": is both in logs and in hold_out; accepted: each log once");
     }
   }
   diagnosis::DiagnosisOptions options;

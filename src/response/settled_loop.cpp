@@ -32,11 +32,12 @@ void checkArguments(double frequency, double amplitude, const LoopOptions& optio
     throw std::invalid_argument(fmt::format("amplitude: {:g} m is out of range; accepted: greater than 0", amplitude));
   }
   if (!std::isfinite(options.mean)) {
-    throw std::invalid_argument(fmt::format("mean displacement: {:g} m; accepted: a finite number", options.mean));
+    throw std::invalid_argument(
+        fmt::format("mean displacement: {:g} m is not finite; accepted: a finite number", options.mean));
   }
   if (options.samples < 8 || options.samples % 4 != 0) {
-    throw std::invalid_argument(
-        fmt::format("samples: {} per cycle are not possible; accepted: a multiple of 4, at least 8", options.samples));
+    throw std::invalid_argument(fmt::format(
+        "samples: {} samples per cycle are not possible; accepted: a multiple of 4, at least 8", options.samples));
   }
 }
 

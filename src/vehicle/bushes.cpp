@@ -36,7 +36,8 @@ Bushes loadBushes(Kind kind, const std::string& path, const std::vector<element:
       continue;
     }
     element::refuseIf<io::ComponentFileError>(
-        !description.six, "{}: component {} has one direction; accepted: six, with the key `directions`", path, name);
+        !description.six, "{}: component {} has one direction; accepted: six directions, with the key `directions`",
+        path, name);
     bushes.push_back(description.six->makeComponent());
   }
   return bushes;

@@ -47,7 +47,7 @@ std::string bushText(Kind kind, const component::SixDirections& component, const
 
 PerBush<double> displacementDifference(const Bushes& components, const History& history, const History& reference) {
   element::refuseIf(history.size() != reference.size() || history.size() == 0,
-                    "runs of {} and {} samples; accepted: equally many, at least one", history.size(),
+                    "the runs have {} and {} samples; accepted: equal numbers, at least 1", history.size(),
                     reference.size());
   PerBush<double> result;
   for (std::size_t i = 0; i < components.size(); ++i) {

@@ -86,7 +86,7 @@ TEST(JobsFile, EvidenceNeedsAReportAndADiagnosis) {
   EXPECT_EQ(groups.at(0).test_rig, "hexapod");
   EXPECT_THAT(
       problemsOf("settings: {reports: none}\njobs:\n  a: {command: diagnose, config: c, log: l, evidence: true}\n"),
-      ElementsAre(HasSubstr("reports: none writes none; accepted: reports: data, full")));
+      ElementsAre(HasSubstr("reports: none writes no folder; accepted: reports: data, full")));
   EXPECT_THAT(problemsOf("jobs:\n  a: {command: replay, config: c, log: l, evidence: true, test_rig: hexapod}\n"),
               ElementsAre(HasSubstr("evidence: has no effect on the command replay"),
                           HasSubstr("test_rig: has no effect on the command replay")));
@@ -126,7 +126,8 @@ TEST(JobsFile, RefusesATolerancesThatIsNone) {
   EXPECT_THAT(problem("{static_stiffness: {uniform: 100 %}}"), ElementsAre(HasSubstr("below 100 %")));
   EXPECT_THAT(problem("{static_stiffness: {uniform: -1 %}}"), ElementsAre(HasSubstr("greater than 0")));
   EXPECT_THAT(problem("{static_stiffness: {uniform: nan}}"), ElementsAre(HasSubstr("greater than 0")));
-  EXPECT_THAT(problem("{static_stiffness: {uniform: 1 %, normal: 1 %}}"), ElementsAre(HasSubstr("one of uniform")));
+  EXPECT_THAT(problem("{static_stiffness: {uniform: 1 %, normal: 1 %}}"),
+              ElementsAre(HasSubstr("either uniform or normal")));
   EXPECT_THAT(problem("{static_stifness: {uniform: 1 %}}"),
               ElementsAre(HasSubstr("unknown key (did you mean 'static_stiffness'?); accepted: ")));
   EXPECT_THAT(problem("{}"), ElementsAre(HasSubstr("missing or empty")));

@@ -136,7 +136,7 @@ TEST_F(RunCampaign, TellsAndRedoesWhatIsCutOffOrOfAnotherVersion) {
   EXPECT_EQ(summary.passed_over, 7U);
   EXPECT_THAT(said_, ElementsAre(HasSubstr("is not a complete record; the job is run again"),
                                  HasSubstr("written by version 0.9, not 1.0; the job is run again"),
-                                 HasSubstr("the record of another job"), HasSubstr("not a complete record"),
+                                 HasSubstr("the record belongs to another job"), HasSubstr("not a complete record"),
                                  AllOf(HasSubstr("force.csv has 10 bytes instead of"), HasSubstr("run again"))));
   EXPECT_THAT(statusOf(manifest).broken, IsEmpty());
 }
@@ -191,7 +191,8 @@ TEST_F(RunCampaign, AChangedDigitOfAReportIsToldAndDoneAgain) {
   last = last == '5' ? '6' : '5';
   std::ofstream(path, std::ios::binary) << forces;
   EXPECT_EQ(statusOf(manifest).all.broken, 0U) << "it compares sizes";
-  EXPECT_THAT(collect().broken, ElementsAre(AllOf(HasSubstr(path), HasSubstr("was changed since it was written"))));
+  EXPECT_THAT(collect().broken,
+              ElementsAre(AllOf(HasSubstr(path), HasSubstr("the record was changed after it was written"))));
   EXPECT_EQ(run().done, 1U);
   EXPECT_THAT(collect().broken, IsEmpty());
 }

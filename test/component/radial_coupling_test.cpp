@@ -272,7 +272,7 @@ TEST(RadialCoupling, RefusesLawsThatDoNotGoTogether) {
     Entries x;
     Entries y;
     std::string words;
-  } rows[] = {{fullElements(2e6, 1e-3), other_friction, "y: its friction differs from that of x"},
+  } rows[] = {{fullElements(2e6, 1e-3), other_friction, "y: its friction differs from the friction of x"},
               {{spring(1.0)}, {entry("spring_table displacement=-1e-3,0,1e-3 force=-1,0,2")}, "odd"},
               {{spring(1.0)}, {entry("spring_table displacement=0,1e-3 force=1,2 monotone=0")}, "at 0"},
               {{spring(1.0)},

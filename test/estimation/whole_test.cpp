@@ -335,7 +335,7 @@ TEST(Points, RefusesWhatTheyDoNotDetermine) {
   estimation::Specification specification;
   specification.setPoints({{4.0, 1e-3, 4e6, std::nullopt, 1.0}});
   EXPECT_THAT(refusal(estimation::Model::maxwell, specification, {}),
-              HasSubstr("points: 1 values for 3 free parameters"));
+              HasSubstr("points: 1 values do not determine 3 free parameters"));
   specification.set("dynamic_stiffness", 4e6);
   EXPECT_THAT(refusal(estimation::Model::maxwell, specification, {}),
               HasSubstr("dynamic_stiffness: is given, but follows from points"));

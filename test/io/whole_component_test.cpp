@@ -158,10 +158,10 @@ TEST(StaticCurveFile, MayFallWhereNothingScales) {
       "[-5e3, 100.0, 5e3, 4e3]}\n      nominal_displacement: 5 mm\n      dynamic_stiffness: 0.7 kN/mm\n"
       "      nominal_frequency: 10\n      break_frequency: 5\n";
   EXPECT_THAT(refusalOf(falling),
-              HasSubstr("the force falls from 0.01 m to 0.02 m, where elements that scale with the curve"));
+              HasSubstr("the force falls from 0.01 m to 0.02 m, and elements that scale with the curve"));
   EXPECT_EQ(refusalOf(falling + "      scale_with: none\n"), "");
   EXPECT_THAT(refusalOf(falling + "      static_stiffness: 3e6\n      scale_with: none\n"),
-              HasSubstr("static_stiffness: is given with static_curve"));
+              HasSubstr("static_stiffness: is given together with static_curve"));
   EXPECT_THAT(refusalOf(falling + "      scale_with: curve\n"), HasSubstr("accepted: static_curve or none"));
 }
 
@@ -174,7 +174,7 @@ TEST(StaticCurveFile, ScalesSlidersWhereAsked) {
   ASSERT_EQ(component.add.size(), 1u);
   EXPECT_EQ(component.add[0].type, "sliders_along_curve");
   EXPECT_THAT(refusalOf(start + "{type: friction, maximum_force: 100, displacement: 1e-3, scale_with: static_curve}\n"),
-              HasSubstr("friction.scale_with: cannot scale with a curve"));
+              HasSubstr("friction.scale_with: this element cannot scale with a curve"));
 }
 
 // Each block of the data sheet has its own preload and stiffness. Between the preloads, the stiffness is in between.

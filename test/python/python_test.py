@@ -142,7 +142,7 @@ class Errors(unittest.TestCase):
                                 ({"dynamic_stiffness": 2e6}, "is not above static_stiffness"),
                                 ({"loss_angle": 0.1}, "exactly two of"),
                                 ({"tolerance": 2.0}, "tolerance: 2 is out of range"),
-                                ({"tolerance": {"nominal_frequency": 0.1}}, "not a number of a data sheet")):
+                                ({"tolerance": {"nominal_frequency": 0.1}}, "not an input of a data sheet")):
             with self.assertRaisesRegex(ValueError, message):
                 rs.estimate("multi_maxwell", **{**FIVE_INPUTS, **change})
         with self.assertRaisesRegex(ValueError, "accepted: kelvin_voigt"):

@@ -98,7 +98,7 @@ void* instantiate(const char* token, bool logging_on, const char* refused, Logge
     try {
       refuseIf(refused != nullptr, "{} is not supported; accepted: co-simulation without event mode", refused);
       ComponentData data = fromJson(embeddedText());
-      refuseIf(token == nullptr || data.guid != token, "the GUID differs from that of this binary, {}", data.guid);
+      refuseIf(token == nullptr || data.guid != token, "the GUID differs from the GUID of this binary, {}", data.guid);
       auto instance = std::make_unique<Instance>(std::move(data), log);
       instance->logEvents(logging_on);
       return instance.release();

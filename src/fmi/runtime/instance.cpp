@@ -148,8 +148,8 @@ void Instance::setDerivatives(const Reference* references, std::size_t count, co
   for (std::size_t i = 0; i < count; ++i) {
     const auto order = static_cast<std::size_t>(orders[i]);  // large, and refused, if negative
     refuseIf(data_.six || references[i] != reference::kDisplacement || order < 1 || order > kMostDerivatives,
-             "derivative {} of variable {}; accepted: derivatives 1 to {} of the displacement", orders[i],
-             references[i], kMostDerivatives);
+             "derivative {} of variable {} is not supported; accepted: derivatives 1 to {} of the displacement",
+             orders[i], references[i], kMostDerivatives);
     refuseIf(!element::Range::any().contains(values[i]),
              "derivative {} of the displacement: {} is not finite, or beyond {:g}", order, values[i],
              element::kLargestNumber);
@@ -208,8 +208,9 @@ void Instance::refuseStep(double time, double size) const {
 
 void Instance::fail() {
   enter(Phase::failed);
-  throw std::runtime_error(fmt::format("{} gives a force that is not finite; accepted: a reset or a saved state",
-                                       data_.six ? "the pose" : fmt::format("displacement {:g} m", now_.inputs[0])));
+  throw std::runtime_error(
+      fmt::format("{} gives a force that is not finite; accepted: a reset, or the restore of a saved state",
+                  data_.six ? "the pose" : fmt::format("displacement {:g} m", now_.inputs[0])));
 }
 
 void Instance::save(SavedState& state) const {

@@ -63,7 +63,7 @@ SavedState deserialise(const char* bytes, std::size_t size) {
   }
   // The memory of a component includes indices, so bytes that were changed must not be used.
   element::refuseIf(words[0] != kMagic || words[1] != checksumOf(bytes, size),
-                    "the bytes are not a serialised state, or they were changed");
+                    "the bytes are not a serialised state, or the state was changed");
   const double phase = numbers[0];
   const double parameters = numbers[2];
   element::refuseIf(!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }) ||

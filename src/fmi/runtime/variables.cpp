@@ -139,7 +139,8 @@ std::vector<double> VariableTable::calculatedValues(const Elements& model_elemen
   });
 } catch (const std::out_of_range&) {
   throw std::invalid_argument(
-      "the specification leads to other elements than the FMU has; accepted: one that only changes their values");
+      "the specification leads to other elements than those of the FMU; accepted: a specification that only changes "
+      "values of its elements");
 }
 
 void Place::put(ComponentData& data, double value) const {
