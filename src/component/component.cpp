@@ -192,7 +192,7 @@ ComponentState Component::makeState() const {
 void Component::restore(ComponentState& state, double displacement, const std::vector<double>& memory) const {
   if (memory.size() != memory_size_) {
     throw std::invalid_argument(
-        fmt::format("the state has {} numbers, this component needs {}", memory.size(), memory_size_));
+        fmt::format("the state has {} numbers, but this component needs {}", memory.size(), memory_size_));
   }
   const bool finite = std::isfinite(displacement) &&
                       std::all_of(memory.begin(), memory.end(), [](double value) { return std::isfinite(value); });

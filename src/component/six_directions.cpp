@@ -422,7 +422,8 @@ void SixDirections::restore(SixDirectionsState& state, const std::vector<double>
   SixDirectionsState restored = makeState();
   const std::size_t size = restored.numbers().size();
   if (numbers.size() != size) {
-    throw std::invalid_argument(fmt::format("the state has {} numbers, this component needs {}", numbers.size(), size));
+    throw std::invalid_argument(
+        fmt::format("the state has {} numbers, but this component needs {}", numbers.size(), size));
   }
   if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); })) {
     throw std::invalid_argument("the state contains numbers that are not finite");

@@ -78,8 +78,8 @@ const ElementEntry kBergFrictionEntry(
            {"displacement", "m", Role::shape, Range::positive(),
             "displacement z2 from rest at which friction reaches half of its maximum"},
            {"dead_band", "m", Role::choice, Range::nonNegative(),
-            "smallest travel back from an extremum that counts as a reversal; about 6 standard deviations of the "
-            "sensor noise",
+            "smallest travel back from an extremum that counts as a reversal; choose about 6 standard deviations of "
+            "the sensor noise",
             0.0}},
           makes<BergFriction>("maximum_force", "displacement", "dead_band")});
 

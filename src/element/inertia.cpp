@@ -103,7 +103,7 @@ const ElementEntry kInertiaEntry(
           "Mass that moves with the actuator: F = m d2z/dt2.",
           {{"mass", "kg", Role::scale, Range::positive(), "moving mass m between load cell and test piece"},
            {"bandwidth", "Hz", Role::choice, Range::nonNegative(),
-            "bandwidth of a filter for noisy displacements; 0: no filter, for smooth displacements", 0.0}},
+            "bandwidth of a filter for noisy displacements; 0 (for smooth displacements): no filter", 0.0}},
           [](const ElementDescription& description) -> ElementPointer {
             const double mass = description.value("mass");
             const double bandwidth = description.value("bandwidth");

@@ -28,9 +28,10 @@ std::vector<JenkinsSlider> slidersFromTable(const ElementDescription& descriptio
   const std::vector<double>& yield = description.list("yield_displacement");
   const std::vector<double>& stiffness = description.list("stiffness");
   if (yield.empty() || yield.size() > kMaximumSliders || stiffness.size() != yield.size()) {
-    throw std::invalid_argument(fmt::format(
-        "{}.stiffness: has {} values for {} yield displacements; accepted: two lists of equal length, from 1 to {}",
-        description.type, stiffness.size(), yield.size(), kMaximumSliders));
+    throw std::invalid_argument(
+        fmt::format("{}.stiffness: has {} values for {} yield displacements; accepted: two lists of equal length, with "
+                    "1 to {} values",
+                    description.type, stiffness.size(), yield.size(), kMaximumSliders));
   }
   std::vector<JenkinsSlider> sliders;
   for (std::size_t i = 0; i < yield.size(); ++i) {

@@ -35,20 +35,21 @@ class PositionDashpot final : public SmoothRateDashpot {
 };
 
 const ElementEntry kPositionDashpotEntry(
-    100, {"position_dashpot",
-          "Dashpot whose damping grows towards one side (closing gap), F = c s^p dz/dt, s = (1 + side z/z_r)/2 or 0.",
-          {{"damping", "N s/m", Role::scale, Range::positive(),
-            "damping constant c at the distance z_r on the side of growth"},
-           {"reference_displacement", "m", Role::shape, Range::positive(),
-            "distance z_r from 0: the damping is c at z_r on the side of growth, and 0 at z_r on the other side"},
-           {"power", "1", Role::shape, Range::closed(0.1, 20.0), "exponent p; the larger, the later the damping grows"},
-           {"side", "1", Role::choice, Range::closed(-1.0, 1.0),
-            "1: the damping grows towards z > 0, -1: towards z < 0", 1.0}},
-          [](const ElementDescription& description) -> ElementPointer {
-            const double towards = sideOf(description, "z", false) * description.value("reference_displacement");
-            return std::make_shared<const PositionDashpot>(description.value("damping"), towards,
-                                                           description.value("power"));
-          }});
+    100,
+    {"position_dashpot",
+     "Dashpot whose damping grows towards one side (closing gap), F = c s^p dz/dt, s = max((1 + side z/z_r)/2, 0).",
+     {{"damping", "N s/m", Role::scale, Range::positive(),
+       "damping constant c at the distance z_r on the side of growth"},
+      {"reference_displacement", "m", Role::shape, Range::positive(),
+       "distance z_r from 0: the damping is c at z_r on the side of growth, and 0 at z_r on the other side"},
+      {"power", "1", Role::shape, Range::closed(0.1, 20.0), "exponent p; the larger, the later the damping grows"},
+      {"side", "1", Role::choice, Range::closed(-1.0, 1.0), "1: the damping grows towards z > 0, -1: towards z < 0",
+       1.0}},
+     [](const ElementDescription& description) -> ElementPointer {
+       const double towards = sideOf(description, "z", false) * description.value("reference_displacement");
+       return std::make_shared<const PositionDashpot>(description.value("damping"), towards,
+                                                      description.value("power"));
+     }});
 
 }  // namespace
 }  // namespace rubber_suspension::element

@@ -168,7 +168,7 @@ std::string missingText(const std::vector<std::string>& missing, std::size_t nee
 }
 
 std::string givenText(const std::vector<std::string>& given) {
-  return given.empty() ? "" : fmt::format("; given is {}", fmt::join(given, ", "));
+  return given.empty() ? "" : fmt::format("; given: {}", fmt::join(given, ", "));
 }
 
 void checkGroup(const NamedModel& model, const Specification& specification, const std::vector<std::string>& group,
@@ -179,8 +179,8 @@ void checkGroup(const NamedModel& model, const Specification& specification, con
     (specification.has(key) ? given : others).push_back(key);
   }
   if (given.size() != needed) {
-    const std::string what =
-        given.size() > needed ? join(given) + ": given" : missingText(others, needed - given.size()) + givenText(given);
+    const std::string what = given.size() > needed ? join(given) + " are given"
+                                                   : missingText(others, needed - given.size()) + givenText(given);
     throw std::invalid_argument(fmt::format("{}; accepted by model {}: exactly {} of {}", what, model.name,
                                             needed == 1 ? "one" : "two", join(group)));
   }

@@ -69,7 +69,7 @@ void checkRig(const std::vector<Eigen::MatrixXd>& rig, const std::vector<log::Lo
   for (std::size_t i = 0; fits && i < rig.size(); ++i) {
     fits = rig[i].cols() == 0 || rig[i].rows() == static_cast<Eigen::Index>(logs[i].size());
   }
-  refuseIf(!fits, "rig: the columns do not fit the logs; accepted: columns over all samples of each log");
+  refuseIf(!fits, "rig: the columns and the logs differ in length; accepted: columns over all samples of each log");
 }
 
 // Returns the samples of all logs at which the force was measured.

@@ -14,11 +14,11 @@ namespace {
 
 [[noreturn]] void refusePose(const log::PoseLog& log, std::size_t sample, component::Acceptance acceptance) {
   const bool beyond = acceptance == component::Acceptance::beyond_measure;
-  throw log::LogError(fmt::format("{}: sample {}: rotation ({:g}, {:g}, {:g}) rad {}", log.name, sample + 1,
-                                  log.coordinate[3][sample], log.coordinate[4][sample], log.coordinate[5][sample],
-                                  beyond ? "exceeds the range of its measure; accepted: below 179 deg for a vector, "
-                                           "below 85 deg about y for cardan angles"
-                                         : "gives a wrench that is not finite"));
+  throw log::LogError(fmt::format(
+      "{}: sample {}: rotation ({:g}, {:g}, {:g}) rad {}", log.name, sample + 1, log.coordinate[3][sample],
+      log.coordinate[4][sample], log.coordinate[5][sample],
+      beyond ? "is out of range; accepted: below 179 deg for a rotation vector, below 85 deg about y for cardan angles"
+             : "gives a wrench that is not finite"));
 }
 
 Eigen::Vector3d vectorAt(const std::array<std::vector<double>, 6>& list, std::size_t first, std::size_t sample) {

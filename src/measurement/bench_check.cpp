@@ -211,37 +211,37 @@ RigFinding unitFinding(const std::string& log, double ratio, const UnitFactor& u
         1.0 / unit.factor, unit.factor);
   }
   return fatal(log, finding::kUnitFactor, ratio, "1",
-               "the measured stiffness is {:.3g} times the configured one, close to the factor {:.4g} of a wrong unit "
-               "({}): {}; if the units are correct, use --accept-units",
+               "the measured stiffness is {:.3g} times the configured stiffness, close to the factor {:.4g} of a wrong "
+               "unit ({}): {}; if the units are correct, use --accept-units",
                ratio, unit.factor, unit.units, remedy);
 }
 
 RigFinding componentFinding(const std::string& log, double ratio, const Sheet& sheet, const std::string& logs) {
   return fatal(log, finding::kOtherComponent, ratio, "1",
-               "the measured stiffness is {:.3g} times the configured one{}; tolerances and effects explain only "
-               "{:.2g} to {:.2g}, and no wrong unit has this factor: check that measurement and component file belong "
-               "to the same component; if they do, use --accept-units",
+               "the measured stiffness is {:.3g} times the configured stiffness{}; tolerances and effects explain only "
+               "factors from {:.2g} to {:.2g}, and no wrong unit has this factor: check that measurement and component "
+               "file belong to the same component; if they do, use --accept-units",
                ratio, logs, sheet.least(), sheet.most());
 }
 
 RigFinding peakToPeakFinding(const std::string& log, double ratio, const std::string& remedy) {
-  return fatal(log, finding::kPeakToPeak, ratio, "1",
-               "the measured stiffness is {:.3g} times the configured one in all motions, and nothing else differs: "
-               "the {} is a peak-to-peak value, or {} components are clamped: {}; if it is correct, use --accept-units",
-               ratio, ratio > 1.0 ? "force" : "displacement", ratio > 1.0 ? "two parallel" : "two in series of",
-               remedy);
+  return fatal(
+      log, finding::kPeakToPeak, ratio, "1",
+      "the measured stiffness is {:.3g} times the configured stiffness in all motions, and nothing else differs: the "
+      "{} is a peak-to-peak value, or {} components are clamped: {}; if the values are correct, use --accept-units",
+      ratio, ratio > 1.0 ? "force" : "displacement", ratio > 1.0 ? "two parallel" : "two in series of", remedy);
 }
 
 RigFinding signFinding(const Shown& log) {
   return fatal(log.record.name, finding::kSign, -1.0, "1",
                "the force falls while the displacement rises (stiffness {:.3g} N/m, configured {:.3g} N/m), and the "
-               "loops dissipate no energy ({:.2g} of the possible maximum), so that it is not a mass in fast motion: "
-               "the sign of one channel is reversed; multiply it by -1 with --columns force=-NAME{}",
+               "loops dissipate no energy ({:.2g} of the possible maximum), which excludes a mass in fast motion: the "
+               "sign of one channel is reversed; multiply this channel by -1, for example with --columns force=-NAME{}",
                log.measured.stiffness, log.simulated_slope.stiffness, log.work,
                log.ratio >= 0.0 || log.configured.sheet.plausible(-log.ratio)
                    ? ""
-                   : fmt::format("; besides, the measured stiffness is {:.3g} times the configured one: check the "
-                                 "units and the component file",
+                   : fmt::format("; besides, the measured stiffness is {:.3g} times the configured stiffness: check "
+                                 "the units and the component file",
                                  -log.ratio));
 }
 

@@ -37,9 +37,9 @@ class Trials final : public WrenchLaw {
 
   const Wrenches& accept(double time, const Poses& poses) {
     for (std::size_t i = 0; i < components_.size() && time > time_; ++i) {
-      element::refuseIf<std::runtime_error>(!components_[i].holds(components_[i].coordinates(poses[i])),
-                                            "component {} at {:.6g} s: the rotation exceeds the range of its measure",
-                                            i + 1, time);
+      element::refuseIf<std::runtime_error>(
+          !components_[i].holds(components_[i].coordinates(poses[i])),
+          "component {} at {:.6g} s: the rotation exceeds the range of rotation vectors or cardan angles", i + 1, time);
       wrenches_[i] = components_[i].step(accepted_[i], time - time_, poses[i]).wrench;
     }
     time_ = time;

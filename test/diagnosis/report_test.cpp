@@ -201,7 +201,7 @@ TEST(Candidates, AreOutForAReason) {
   creep.interval = {0.05, 0.1};
   creep.testable = true;
   EXPECT_EQ(diagnosis::words::whyOut(d, creep),
-            "the gap is 11.0 % with its full law, and 2.0 % with the named effects");
+            "the gap is 11.0 % with the full law of this effect, and 2.0 % with the named effects");
   creep.interval = {-0.1, 0.1};
   EXPECT_THAT(diagnosis::words::whyOut(d, creep), HasSubstr("may remove nothing"));
   creep.testable = false;
@@ -326,8 +326,9 @@ TEST(Sentence, SaysWhichLogReadsOtherwise) {
   d.rig_findings = {gain("b", -0.052)};
   EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr("Log b has forces 5 % lower than the other logs."));
   d.rig_findings = {gain("a", 0.15), gain("b", 0.045), gain("c", 0.155)};
-  EXPECT_THAT(diagnosis::words::sentence(d),
-              HasSubstr("Logs a and c read 10 % more than b; the logs do not determine which of them are right."));
+  EXPECT_THAT(
+      diagnosis::words::sentence(d),
+      HasSubstr("Logs a and c have forces 10 % higher than b; the logs do not determine which of them are right."));
 }
 
 TEST(Sentence, SaysThatAllDisplacementsHaveOneSign) {
@@ -358,9 +359,8 @@ TEST(Sentence, ListsWhatMayBeWhereNoEffectIsLikely) {
   d.candidates[2].effect = "inertia";
   d.candidates[2].probability = 0.03;
   const std::string list = "friction (43 %), something that is not in the list (21 %)";
-  EXPECT_THAT(
-      diagnosis::words::sentence(d),
-      StartsWith("What the model lacks remains open with these logs: it may be " + list + " and creep (19 %)."));
+  EXPECT_THAT(diagnosis::words::sentence(d),
+              StartsWith("The missing effect is uncertain with these logs; possible: " + list + " and creep (19 %)."));
   EXPECT_THAT(diagnosis::words::headline(d), HasSubstr(list + ", creep (19 %)"));
   EXPECT_THAT(diagnosis::words::headline(d), Not(HasSubstr("lacks creep")));
   d.candidates[1].probability = 0.51;

@@ -13,7 +13,7 @@
 namespace rubber_suspension::diagnosis {
 const std::vector<ExperimentLimitInfo>& experimentLimitTable() {
   static const std::vector<ExperimentLimitInfo> table = {
-      {"stroke", "m", "largest displacement to either side of 0", &ExperimentLimits::stroke},
+      {"stroke", "m", "largest displacement on either side of 0", &ExperimentLimits::stroke},
       {"speed", "m/s", "largest speed of the displacement", &ExperimentLimits::speed},
       {"frequency", "Hz", "highest frequency of a motion", &ExperimentLimits::frequency},
       {"force", "N", "largest force to either side of 0", &ExperimentLimits::force},

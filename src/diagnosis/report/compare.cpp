@@ -259,7 +259,7 @@ std::string toText(const Comparison& comparison) {
                            return "  " + log::oneLine(change.what + ": " + change.before + " -> " + change.after) +
                                   "\n";
                          }) +
-         fmt::format("  {} of {} values have not changed by more than noise and intervals\n",
+         fmt::format("  {} of {} values have changed by no more than noise and intervals\n",
                      comparison.changes.size() - differing.size(), comparison.changes.size());
 }
 

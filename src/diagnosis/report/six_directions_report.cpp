@@ -132,7 +132,9 @@ std::string crossMapSentence(const SixDirectionsDiagnosis& diagnosis) {
 }
 
 std::string crossMapText(const SixDirectionsDiagnosis& diagnosis) {
-  std::string text = fmt::format("gap in, by{:>7}", fmt::join(directionNames(), ""));
+  std::string text = fmt::format(
+      "share of the squared residual in one direction (row) that another direction (column) predicts\n          {:>7}",
+      fmt::join(directionNames(), ""));
   for (const DirectionDiagnosis& found : diagnosis.directions) {
     text += fmt::format("\n{:<10}{:>7}", toString(found.direction),
                         fmt::join(shareTexts(diagnosis.cross_map, found.direction), ""));

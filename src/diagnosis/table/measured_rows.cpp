@@ -217,7 +217,7 @@ hypotheses::Noise MeasuredRows::estimateNoise(const hypotheses::FittedHypothesis
   hypotheses::Noise noise;
   noise.floor = noise.floor_with_rig = std::min(scatter_.level, best.fit.held_out);
   noise.of_logs.assign(loops_->points().size(), noise.floor);
-  noise.source = scatter_.source + (noise.floor < scatter_.level ? ", limited to the residual of the model" : "");
+  noise.source = scatter_.source + (noise.floor < scatter_.level ? ", but at most the residual of the model" : "");
   return noise;
 }
 

@@ -53,13 +53,13 @@ std::string whyOut(const Diagnosis& d, const CandidateResult& c) {
     case Out::removes_nothing:
       return "the effect may remove nothing of the gap on further logs";
     case Out::gap_remains:
-      return fmt::format("the gap is {} with its full law, and {} with other parameter values only", percent(c.gap),
-                         percent(d.gaps.unseen.re_estimated));
+      return fmt::format("the gap is {} with the full law of this effect, and {} with other parameter values only",
+                         percent(c.gap), percent(d.gaps.unseen.re_estimated));
     case Out::more_than_named:
-      return fmt::format("the gap is {} with its full law, and {} with the named effects", percent(c.gap),
-                         percent(d.gaps.unseen.augmented));
+      return fmt::format("the gap is {} with the full law of this effect, and {} with the named effects",
+                         percent(c.gap), percent(d.gaps.unseen.augmented));
     default:
-      return fmt::format("the gap with its full law is no larger ({}), but the effect is less probable",
+      return fmt::format("the gap with the full law of this effect is no larger ({}), but the effect is less probable",
                          percent(c.gap));
   }
 }

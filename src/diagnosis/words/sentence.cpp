@@ -32,7 +32,7 @@ std::string otherwise(const Diagnosis& diagnosis) {
                                                                          : setText(other.effects);
     texts.push_back(fmt::format("{} ({} %)", what, chance(other.probability)));
   }
-  return texts.empty() ? "" : " It may also be " + enumerated(texts) + ".";
+  return texts.empty() ? "" : " Also possible: " + enumerated(texts) + ".";
 }
 
 // Texts of the gap before and after a change, and of the noise. Up to three decimals distinguish before and after.
@@ -146,8 +146,8 @@ std::string gainsNote(const Diagnosis& diagnosis) {
   const auto middle = begin + static_cast<std::ptrdiff_t>(split);
   const double more = (1.0 + (*middle)->value) / (1.0 + (*(middle - 1))->value) - 1.0;
   const bool one = middle + 1 == gains.end();
-  return fmt::format(" {} {} {} {} % more than {}; the logs do not determine which of them {} right.",
-                     one ? "Log" : "Logs", names(middle, gains.end()), one ? "reads" : "read", wholePercent(more),
+  return fmt::format(" {} {} {} forces {} % higher than {}; the logs do not determine which of them {} right.",
+                     one ? "Log" : "Logs", names(middle, gains.end()), one ? "has" : "have", wholePercent(more),
                      names(begin, middle), gains.size() == 2 ? "is" : "are");
 }
 
@@ -365,7 +365,7 @@ std::string judgementText(const Diagnosis& diagnosis) {
   const std::vector<std::string> open =
       diagnosis.answer.effects.empty() ? std::vector<std::string>{} : openTexts(diagnosis, kMost);
   if (!open.empty()) {
-    return fmt::format("What the model lacks remains open with {}: it may be {}. The component file has {}: {}.",
+    return fmt::format("The missing effect is uncertain with {}; possible: {}. The component file contains {}: {}.",
                        sourceOf(diagnosis), enumerated(open),
                        writesAnEffect(diagnosis) ? effectsText(diagnosis) : "no such effect", sharesText(diagnosis)) +
            closes + values + remarkText(diagnosis);
@@ -457,18 +457,18 @@ std::string temperatureNote(const std::vector<std::string>& effects, const fit::
 std::string restNote(const Surrogate& surrogate) {
   constexpr double kLeastPart = 0.01;  // share of the squared residual; a smaller share is not reported
   const std::string prediction = fmt::format(
-      "a surrogate predicts {:.0f} % of it in parts of the logs that it was not fitted to "
-      "(gap {:.1f} % without, {:.1f} % with the surrogate)",
+      "a surrogate predicts {:.0f} % of the rest in parts of the logs that were not used in its fit (gap {:.1f} % "
+      "without, {:.1f} % with the surrogate)",
       100.0 * surrogate.share, 100.0 * surrogate.unseen_before, 100.0 * surrogate.unseen_after);
   if (surrogate.function_of_the_motion) {
     return " The rest depends on the motion by a law that is not in the list: " + prediction + ".";
   }
   if (surrogate.beyond_chance && surrogate.share >= kLeastPart) {
     return " Only part of the rest depends on the motion: " + prediction +
-           ". The other part needs other logs, or the motion does not cause it (hum, cross-talk, a loose plug).";
+           ". The other part needs other logs, or is not caused by the motion (hum, cross-talk, a loose plug).";
   }
-  return " No surrogate predicts the rest in parts of the logs that it was not fitted to: these logs do not show "
-         "whether the motion causes it.";
+  return " No surrogate predicts the rest in parts of the logs that were not used in its fit: these logs do not show "
+         "whether the motion causes the rest.";
 }
 
 std::string factorNote(const std::vector<double>& factors) {

@@ -68,7 +68,8 @@ Eigen::Isometry3d Body::pose(const Numbers& inputs) const {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = numbers.head<3>();
   pose.linear() = component::rotationOf(six_->laws().measure, numbers.tail<3>()).toRotationMatrix();
-  element::refuseIf(!six_->holds(six_->coordinates(pose)), "the rotation exceeds the range of its measure");
+  element::refuseIf(!six_->holds(six_->coordinates(pose)),
+                    "the rotation exceeds the range of rotation vectors or cardan angles");
   return pose;
 }
 

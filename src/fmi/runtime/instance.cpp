@@ -44,8 +44,9 @@ void Instance::enter(Phase phase) {
 void Instance::setTimes(double start, bool stop_defined, double stop) {
   require(now_.phase == Phase::instantiated, "set up of the experiment");
   refuseIf(!std::isfinite(start) || (stop_defined && !(stop >= start)),
-           "start time {:g} s, stop time {:g} s; accepted: finite times, the stop not before the start", start,
-           stop_defined ? stop : start);
+           "start time {:g} s and stop time {:g} s are not possible; accepted: finite times, the stop time not before "
+           "the start time",
+           start, stop_defined ? stop : start);
   now_.time = start;
   now_.stop_time = stop_defined ? std::min(stop, kNoStop) : kNoStop;
 }
@@ -151,7 +152,7 @@ void Instance::setDerivatives(const Reference* references, std::size_t count, co
              "derivative {} of variable {} is not supported; accepted: derivatives 1 to {} of the displacement",
              orders[i], references[i], kMostDerivatives);
     refuseIf(!element::Range::any().contains(values[i]),
-             "derivative {} of the displacement: {} is not finite, or beyond {:g}", order, values[i],
+             "derivative {} of the displacement: {} is not finite, or its magnitude exceeds {:g}", order, values[i],
              element::kLargestNumber);
     now_.derivative[order - 1] = values[i];
     has_derivatives_ = true;
@@ -201,7 +202,7 @@ void Instance::refuseStep(double time, double size) const {
   require(now_.phase == Phase::stepping, "step");
   refuseIf(!(size > 0.0) || !std::isfinite(size), "a step of {:g} s is not possible; accepted: greater than 0", size);
   refuseIf(std::abs(time - now_.time) <= roomFor(size),
-           "step to {:.9g} s; accepted: at most to the stop time, {:.9g} s", time + size, now_.stop_time);
+           "the step would end at {:.9g} s; accepted: at most the stop time, {:.9g} s", time + size, now_.stop_time);
   throw std::invalid_argument(
       fmt::format("the step cannot begin at {:.9g} s; accepted: {:.9g} s, where the last step ended", time, now_.time));
 }
@@ -228,8 +229,8 @@ void Instance::restore(const SavedState& state) {
   refuseIf(state.fingerprint != fingerprint_ || saved.parameters.size() != now_.parameters.size(),
            "restore of a state: the state is not from this FMU");
   refuseIf(saved.phase == Phase::failed || (saved.phase > Phase::initialising && !saved.settled),
-           "restore of a state: a simulation cannot continue from this state");
-  // Statements that may throw come first, so that a failed restore changes nothing.
+           "restore of a state: no simulation can continue from this state");
+  // All that can fail comes first, so that an instance is changed as a whole or not at all.
   if (!saved.settled) {
     body_.reset();
   } else if (body_ && saved.parameters == now_.parameters) {

@@ -35,7 +35,7 @@ VariableTable::VariableTable(const ComponentData& data) {
 void VariableTable::addOne(const ComponentData& data) {
   variables_.push_back(
       {"displacement", "m",
-       "displacement of " + data.name + " at the end of the next step; positive gives a positive force",
+       "displacement of " + data.name + " at the end of the next step; a positive displacement gives a positive force",
        Causality::input, 0.0});
   variables_.push_back({"force", "N", "force that must be applied to hold the displacement", Causality::output});
   for (const std::string part : {"elastic", "viscous", "friction"}) {
