@@ -156,7 +156,7 @@ void checkInput(const std::string& key, double value) {
   }
 }
 
-// Returns a text that begins with the missing key: "loss_angle is missing, or relative_damping in its place".
+// The missing key comes first: "loss_angle is missing, or relative_damping instead of it".
 std::string missingText(const std::vector<std::string>& missing, std::size_t needed) {
   const auto split = missing.begin() + static_cast<std::ptrdiff_t>(needed);
   const std::vector<std::string> first(missing.begin(), split);
