@@ -110,7 +110,7 @@ std::string nameOf(const hypotheses::Search& search, const hypotheses::FittedHyp
   for (const int member : fitted.hypothesis.members) {
     text += (text.empty() ? "" : " + ") + search.candidates[static_cast<std::size_t>(member)].effect;
   }
-  return text.empty() ? "the model as it is" : text;
+  return text.empty() ? "the model as configured" : text;
 }
 
 }  // namespace rubber_suspension::diagnosis::experiment

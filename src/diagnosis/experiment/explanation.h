@@ -45,7 +45,7 @@ double openNames(const std::vector<Explanation>& explanations, const std::vector
 Outlook outlookOf(std::size_t right, const std::vector<Explanation>& explanations,
                   const std::vector<Refitted>& refitted, double noise, double logs);
 
-/// Returns a name such as "friction + creep", or "the model as it is" for a hypothesis without effects.
+/// Returns a name such as "friction + creep"; "the model as configured" without members.
 std::string nameOf(const hypotheses::Search& search, const hypotheses::FittedHypothesis& fitted);
 
 }  // namespace rubber_suspension::diagnosis::experiment

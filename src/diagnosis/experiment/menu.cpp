@@ -208,11 +208,12 @@ class Menu {
            const double before = level == 0 ? 0.0 : kLevels[level - 1];
            return before + (kLevels[level] - before) * eased(t - hold * static_cast<double>(level), cycle);
          },
-         fmt::format("steps of {:.3g} s to # mm, # mm and back, and the same to the other side, each held for {:.3g} s",
+         fmt::format("steps to # mm, # mm and back, then in the same way to the other side; each step takes {:.3g} s, "
+                     "and each level is held for {:.3g} s",
                      cycle, hold - cycle),
          {0.5, 1.0}});
     add({"hold", length, cycle, full_, 0.5, [](double /*t*/) { return 1.0; },
-         fmt::format("ramp of {:.3g} s to # mm and hold for {:.3g} s", cycle, length - 2.0 * cycle)});
+         fmt::format("ramp of {:.3g} s to # mm, then hold for {:.3g} s", cycle, length - 2.0 * cycle)});
   }
 
   void addTriangles() {

@@ -229,8 +229,8 @@ ordered_json experimentJson(const Diagnosis& d) {
           {"open_before_bit", experiment.open_before},
           {"open_after_bit", experiment.open_after},
           {"confidence", experiment.probability},
-          {"how_to_play", fmt::format("play next_experiment.csv ({:.3g} s at {:.4g} Hz; starts and ends at rest at 0) "
-                                      "or the same motion as an RPC III drive file, next_experiment.drv",
+          {"how_to_play", fmt::format("play next_experiment.csv ({:.3g} s at {:.4g} Hz; starts and ends at rest at 0), "
+                                      "or next_experiment.drv, an RPC III drive file of the same motion",
                                       duration, 1.0 / experiment.dt)},
           {"command", fmt::format("roslaunch rubber_suspension bench.launch config:=$PWD/augmented.yaml "
                                   "component:={} log:=$PWD/next_experiment.csv output:=$PWD/next_run",
