@@ -130,7 +130,8 @@ TEST(TableDiagnosis, NamesTemperatureWhereOneCurveHoldsAllRows) {
 TEST(TableDiagnosis, ProposesARowThatIsNew) {
   EXPECT_THAT(ofFrictionTable().next.text, testing::AnyOf(HasSubstr("Measure a row at"), HasSubstr("Record a log")));
   const Diagnosis none = checkedTable(without(kZener), Laboratory(1).table(without(kZener)));
-  EXPECT_THAT(none.next.text, HasSubstr("No further row is needed for the effects that a table can show. Record a log"));
+  EXPECT_THAT(none.next.text,
+              HasSubstr("No further row is needed for the effects that a table can show. Record a log"));
 }
 
 TEST(TableDiagnosis, WritesTheReport) {
