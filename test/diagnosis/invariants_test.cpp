@@ -68,9 +68,9 @@ TEST(Defect, TellsNoVerdict) {
   EXPECT_TRUE(told.law.effect_sizes.empty() && told.logs.taken_out.empty() && told.rig_findings.empty());
   EXPECT_FALSE(told.whole);
   EXPECT_TRUE(std::isnan(told.gaps.closed) && std::isnan(told.logs.admission.front().left));
-  EXPECT_THAT(told.defect, HasSubstr("named: the gap falls"));
+  EXPECT_THAT(told.defect, HasSubstr("with the verdict named, the gap falls"));
   EXPECT_THAT(told.sentence, HasSubstr("No verdict"));
-  EXPECT_NE(toJson(told).find("\"defect\": \"named: the gap falls"), std::string::npos);
+  EXPECT_NE(toJson(told).find("\"defect\": \"with the verdict named, the gap falls"), std::string::npos);
   const std::string folder = testing::TempDir() + "/defect";
   EXPECT_EQ(writeReport(told, folder), "");
   std::ifstream page(folder + "/report.html");

@@ -32,7 +32,7 @@ TEST(MemoryOfADiagnosis, TheRefusalSaysHowMuchIsNeededAndWhatIsAccepted) {
   EXPECT_THAT(text, testing::HasSubstr("12000000 of 20000000 samples"));
   EXPECT_THAT(text, testing::HasSubstr("40.9 GiB"));
   EXPECT_THAT(text, testing::HasSubstr("16.0 GiB are available"));
-  EXPECT_THAT(text, testing::HasSubstr("accepted: 4665768 samples"));
+  EXPECT_THAT(text, testing::HasSubstr("accepted: at most 4665768 samples"));
   EXPECT_EQ(text.find('\n'), std::string::npos);
   EXPECT_EQ(refusal(4665768, 16 * kGibibyte), "");
 }

@@ -48,7 +48,7 @@ TEST(JudgeRest, ASmallPartOfItIsCalledThat) {
 TEST(JudgeRest, WhatIsNotPredictedIsNoFunctionOfTheMotion) {
   const Surrogate surrogate = judged({0.1, 0.101, 0.0999});
   EXPECT_FALSE(surrogate.function_of_the_motion);
-  EXPECT_THAT(words::restNote(surrogate), HasSubstr("do not show whether the motion causes it"));
+  EXPECT_THAT(words::restNote(surrogate), HasSubstr("do not show whether the motion causes the rest"));
 }
 
 // A noise floor above the residual must be wrong. It must not make the whole residual count as predicted.
@@ -135,7 +135,7 @@ TEST(SurrogateOfHum, IsNoFunctionOfTheMotion) {
   ASSERT_EQ(result.answer.verdict, diagnosis::Verdict::unknown);
   ASSERT_TRUE(result.surrogate);
   EXPECT_FALSE(result.surrogate->function_of_the_motion) << result.sentence;
-  EXPECT_THAT(result.sentence, HasSubstr("do not show whether the motion causes it"));
+  EXPECT_THAT(result.sentence, HasSubstr("do not show whether the motion causes the rest"));
   // The surrogate may be at most 1 % worse than the augmented component.
   EXPECT_LT(result.surrogate->gap, 1.01 * result.gap_as_recorded.augmented);
 }

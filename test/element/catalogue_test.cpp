@@ -27,7 +27,7 @@ const std::vector<Refused> kRefused = {
     {"sliders_fraction", "iwan maximum_force=1 displacement=1 sliders=3.5", {"iwan.sliders", "3.5", "whole"}},
     {"sliders_many", "iwan maximum_force=1 displacement=1 sliders=65", {"iwan.sliders", "65", "[2, 64]"}},
     {"table_lengths", "iwan_table yield_displacement=1,2 stiffness=1", {"iwan_table.stiffness", "1 values for 2"}},
-    {"table_empty", "iwan_table yield_displacement= stiffness=", {"from 1 to 64"}},
+    {"table_empty", "iwan_table yield_displacement= stiffness=", {"with 1 to 64 values"}},
     {"table_value", "iwan_table yield_displacement=1,-2 stiffness=1,1", {"iwan_table.yield_displacement", "-2"}},
     {"spring_table_order",
      "spring_table displacement=0,1,0.5 force=0,1,2",

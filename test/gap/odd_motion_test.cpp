@@ -25,7 +25,7 @@ io::ComponentDescription withFriction() {
 TEST(OddMotion, ByTheStiffnessOfTheLog) {
   // If 1.9 mm are read as 1.9 m, or kilonewtons as newtons, the log is a thousand times too soft for 3e6 N/m.
   EXPECT_THAT(gap::oddMotion(sine(1.9, kStiffness / 1000.0), kPlain).value_or(""),
-              HasSubstr("1e+03 times softer than the component"));
+              HasSubstr("1e+03 times softer than the model predicts"));
   EXPECT_THAT(gap::oddMotion(sine(1.9e-6, kStiffness * 1000.0), kPlain).value_or(""), HasSubstr("times stiffer"));
   for (const double factor : {0.05, 1.0, 20.0}) {  // suggests another component, not another unit
     EXPECT_FALSE(gap::oddMotion(sine(2e-3, factor * kStiffness), kPlain)) << factor;
@@ -37,7 +37,7 @@ TEST(OddMotion, ByTheStiffnessOfTheLog) {
 TEST(OddMotion, ByTheComponentsOwnAmplitudeWithoutAForce) {
   EXPECT_EQ(gap::motionScaleOf(withFriction()), 2e-3);
   EXPECT_THAT(gap::oddMotion(sine(1.9, 0.0), withFriction()).value_or(""),
-              HasSubstr("times the component's nominal 0.002 m"));
+              HasSubstr("times the component's nominal amplitude of 0.002 m"));
   EXPECT_TRUE(gap::oddMotion(sine(0.25, 0.0), withFriction()));
   EXPECT_FALSE(gap::oddMotion(sine(0.15, 0.0), withFriction()));
 }
@@ -56,7 +56,7 @@ TEST(OddMotion, SaysNothingOfAForceThatStandsStill) {
 
 TEST(OddAmplitude, IsThatOfAnOptionInMetres) {
   EXPECT_THAT(gap::oddAmplitude(5.0, {2e-3}).value_or(""),
-              HasSubstr("5 m is 2.5e+03 times the component's nominal 0.002 m"));
+              HasSubstr("5 m is 2.5e+03 times the component's nominal amplitude of 0.002 m"));
   EXPECT_FALSE(gap::oddAmplitude(5e-3, {2e-3}));
 }
 
