@@ -514,7 +514,7 @@ std::optional<Obstacle> ratioObstacle(const Specification& specification) {
   }
   for (const char* key : {"dynamic_stiffness", "maximum_stiffness", "high_frequency_stiffness"}) {
     if (specification.valueOr(key, 0.0) > kLargestStiffnessRatio * k_st) {
-      return Obstacle{key, fmt::format("exceeds {:g} times {}, which is impossible for a rubber component",
+      return Obstacle{key, fmt::format("is more than {:g} times {}, which is impossible for a rubber component",
                                        kLargestStiffnessRatio, inputText(specification, "static_stiffness"))};
     }
   }

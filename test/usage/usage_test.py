@@ -170,7 +170,7 @@ class Warnings(unittest.TestCase):
         self.assertIn("displacement_mm", text)
         odd = self.write("odd.csv", text.replace("displacement_mm", "displacement_m", 1))
         output = pathlib.Path(self.folder.name) / "o.csv"
-        self.check(f"replay --config {BUSH} --log {odd} --output {output}", "warning: .*odd.csv: .* softer than the component")
+        self.check(f"replay --config {BUSH} --log {odd} --output {output}", "warning: .*odd.csv: .* softer than the model predicts")
         self.assertTrue(output.exists())
         self.assertNotIn("warning", run(f"replay --config {BUSH} --log {LOG} --output {output}").stderr)
 
