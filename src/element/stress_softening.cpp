@@ -121,7 +121,7 @@ class StressSoftening final : public ForceEffect {
                            : parameters_.reduction * powerOf(std::min(reach / parameters_.full_reach, 1.0), exponent);
   }
 
-  // Lets M and S decay towards the present displacement, of which `reached` is the distance from 0 [m].
+  // Lets M and S decay towards `reached` [m], the distance of the present displacement from 0 on the active side.
   void recover(double dt, double reached, double* memory) const {
     const double kept = Relaxation::over(dt / parameters_.recovery_time).decay;
     for (const SofteningSlot slot : {kLargest, kReach}) {

@@ -16,8 +16,8 @@ std::vector<std::string> namesOf(const Rows& rows) {
   return names;
 }
 
-/// Returns the number of letters to change, add, omit or swap with their neighbour to turn one word into the other.
-/// Case is ignored (optimal string alignment).
+/// Returns the number of letters to change, add, omit or swap with their neighbour to turn one word into the other
+/// (optimal string alignment). Case is ignored.
 std::size_t editDistance(const std::string& one, const std::string& other);
 
 /// Returns the known word that is probably meant: the name for a symbol of the literature, or else the known word

@@ -115,8 +115,8 @@ class ComponentChannel {
   /// ones.
   std::vector<std::vector<MatchedSample>> windows(double seconds) const;
 
-  /// Sets the temperature [degC] of the samples from a stamp [ns] on. If the component's shift is not valid at this
-  /// temperature, counts it and returns false.
+  /// Sets the temperature [degC] of the samples from a stamp [ns] on. If the temperature shift of the component
+  /// does not cover this temperature, counts a refused temperature and returns false.
   bool setTemperature(std::int64_t stamp, double temperature);
 
   /// Counts the time from the arrival of a sample to the publication of its answer [ns].

@@ -213,7 +213,8 @@ ArrayXd lossBeside(const ScoreTable& table, const ArrayXXd& s2) {
 // Makes hypotheses impossible whose weight is not finite, because their model cannot follow a log.
 void refuseInfinite(ArrayXd& weights) { weights = weights.isFinite().select(weights, kImpossible); }
 
-// Makes configured values impossible, with and without a gain, because they are a guess.
+// Makes the hypotheses that keep the configured values impossible, without and with a gain common to all logs, because
+// these values are a guess.
 void refuseConfigured(const ScoreTable& table, LogWeights& weights) {
   weights.alone[Evidence::kAsConfigured] = kImpossible;
   for (std::size_t h = 0; h < table.members.size(); ++h) {

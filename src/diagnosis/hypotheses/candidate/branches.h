@@ -14,9 +14,9 @@ namespace rubber_suspension::diagnosis::hypotheses::candidate {
 /// held, but not in the loops.
 double longestRelaxationTime(const fit::Excitation& excitation);
 
-/// Adds a Maxwell branch of typical stiffness [N/m] for each of these break frequencies [Hz]. If the branches follow a
-/// curve, all follow the same one, because separate curves would also represent a nonlinear spring beside linear
-/// branches.
+/// Adds a Maxwell branch of typical stiffness [N/m] for each of these break frequencies [Hz]. If the stiffness
+/// of the branches grows with the displacement, it grows by one curve for all branches, because separate curves would
+/// also represent a nonlinear spring beside linear branches.
 void addBranches(const std::vector<double>& frequencies, double typical, const fit::Excitation& excitation,
                  fit::Candidate& candidate);
 
