@@ -266,7 +266,7 @@ double whiteNoiseAbove(const Eigen::VectorXd& signal, double dt, double frequenc
 void requireForce(const Log& log) {
   if (log.force.empty()) {
     const auto hint = std::find_if(log.notes.begin(), log.notes.end(), [](const std::string& note) {
-      return note.find("force=") != std::string::npos || note.find("holds no number") != std::string::npos;
+      return note.find("force=") != std::string::npos || note.find("has no number") != std::string::npos;
     });
     throw LogError(log.name + ": has no measured force; accepted: a log with a column force_<unit>" +
                    (hint == log.notes.end() ? "" : "; " + *hint));

@@ -291,6 +291,8 @@ class Chooser {
     return hasExactForce(m) && gap_ * gap_ < 0.5 * (gap_of_fitted * gap_of_fitted + before_ * before_);
   }
 
+  bool hasExactForce(std::size_t m) const { return own_[m].size() == 1 && termAt(own_[m].front()).exact; }
+
   // Returns the odds of `other` relative to `chosen`. As in the judgement, only errors above that of the better law
   // count. The number of parameters does not count, because it is no evidence on the size of the effect.
   double oddsOver(const Allowed& chosen, const Allowed& other) const {
