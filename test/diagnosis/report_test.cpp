@@ -97,7 +97,7 @@ double named(const std::vector<diagnosis::HeadlineValue>& values, const std::str
   return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
 
-// Sliders with a friction of 6 kN, half of it at 0.35 mm, are reported with these two numbers.
+// Sliders with a friction of 6 kN, half of this force at 0.35 mm, are reported with these two numbers.
 TEST(Headline, TellsSlidersAsForceAndDisplacementAtHalfForce) {
   element::ElementDescription table{"iwan_table", {{"yield_displacement", {}}, {"stiffness", {}}}};
   for (const element::JenkinsSlider& slider : element::iwanSliders(6000.0, 3.5e-4, 64)) {
@@ -161,7 +161,7 @@ TEST(Headline, OfContactsAreTheirPreloadAndWhatHoldsThem) {
 TEST(ReportText, NamesTheSideInFrontOfItsValue) {
   using diagnosis::words::sizeName;
   EXPECT_EQ(sizeName({"bump_stop", "gap_in_tension", "m", 0.0, 2.4e-3, {}}), "gap in tension:");
-  EXPECT_EQ(sizeName({"friction", "displacement", "m", 0.0, 1e-4, {}}), "half of it at");
+  EXPECT_EQ(sizeName({"friction", "displacement", "m", 0.0, 1e-4, {}}), "half of this force at");
   EXPECT_EQ(sizeName({"friction", "maximum_force", "N", 0.0, 200.0, {}}), "maximum force");
 }
 
@@ -260,7 +260,7 @@ TEST(InWords, HasWhatTheFirstScreenShows) {
   EXPECT_EQ(words.at("closed").dump(), R"(["94","92","100"])");
   EXPECT_EQ(words.at("shares").dump(), R"([{"by":"values","share":"14 %"},{"by":"friction","share":"72 %"}])");
   const std::vector<std::array<std::string, 3>> law = {{"maximum force", "6 kN", "5.7 to 6.4 kN"},
-                                                       {"half of it at", "0.35 mm", "0.3 to 0.4 mm"},
+                                                       {"half of this force at", "0.35 mm", "0.3 to 0.4 mm"},
                                                        {"gap in compression:", "2.4 mm", "2.2 to 2.6 mm"},
                                                        {"change of stiffness", "falls by 0.6 %/K", "-0.7 to -0.5 %/K"}};
   ASSERT_EQ(words.at("law").size(), law.size());

@@ -111,7 +111,7 @@ std::vector<std::string> addedTexts(const Diagnosis& d) {
     const auto& [type, entries] = added;
     const bool sliders = type == "iwan_table";
     const std::string values = element::joined(headlineValuesOf(entries), ", ", [&](const HeadlineValue& value) {
-      return (sliders && value.name == "displacement" ? "half of it at" : labelOf(value.name)) + " " +
+      return (sliders && value.name == "displacement" ? "half of this force at" : labelOf(value.name)) + " " +
              quantity(value.value, unitOf(d, value.unit));
     });
     return "add: " + (entries.size() > 1 ? fmt::format("{} times ", entries.size()) : "") + type +

@@ -52,8 +52,8 @@ struct ChangeTexts {
   std::string noise;
 };
 
-// Returns the named effects with their first numbers, such as "friction (maximum force 199 N, half of it at 0.12 mm)".
-// A number without a unit, such as a width or an exponent, is included only if there is no other number before it.
+// Returns the named effects with their first numbers, such as "friction (maximum force 199 N, half of this force at
+// 0.12 mm)". A number without a unit, such as a width, is included only if there is no other number before it.
 std::string effectsText(const Diagnosis& diagnosis) {
   constexpr std::size_t kMost = 4;  // two stops have four numbers: a gap and a stiffness each
   std::vector<std::string> texts;

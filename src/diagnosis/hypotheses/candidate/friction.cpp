@@ -131,7 +131,7 @@ Effect friction() {
   effect.headline = limitOf;
   effect.headline_types = {"iwan_table", "variable_friction", "viscoplastic_friction", "friction", "iwan"};
   effect.sizes = halfWidthOfLoop;
-  effect.labels = {{"force_in_largest_loop", "force in the largest loop"}, {"displacement", "half of it at"}};
+  effect.labels = {{"force_in_largest_loop", "force in the largest loop"}, {"displacement", "half of this force at"}};
   return effect;
 }
 
