@@ -97,8 +97,8 @@ TEST(MeasuredTable, IsHeldAgainstTheComponent) {
 
 TEST(MeasuredTable, NamesWhatAMaterialLacks) {
   EXPECT_THAT([] { parseTable("Frequency [Hz],Strain [%],E* [MPa],delta [deg]\n1,0.1,3.5,4\n", "lab.csv"); },
-              testing::ThrowsMessage<std::runtime_error>(
-                  testing::AllOf(HasSubstr("'Strain [%]', 'E* [MPa]': of a material"), HasSubstr("shape"))));
+              testing::ThrowsMessage<std::runtime_error>(testing::AllOf(
+                  HasSubstr("'Strain [%]', 'E* [MPa]': a quantity of the material"), HasSubstr("shape"))));
 }
 
 TEST(MeasuredTable, NamesColumnsThatItDoesNotUnderstand) {

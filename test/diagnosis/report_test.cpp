@@ -339,7 +339,7 @@ TEST(Sentence, SaysThatAllDisplacementsHaveOneSign) {
   workings->simulated.records[0].displacement = Eigen::ArrayXd::LinSpaced(9, -2e-3, 1e-5);
   workings->simulated.records[1].displacement = Eigen::ArrayXd::LinSpaced(9, -1e-3, -5e-4);
   EXPECT_THAT(diagnosis::words::sentence(d), HasSubstr(" All displacements are negative: these logs do not determine "
-                                                       "the force at positive ones."));
+                                                       "the force at positive displacements."));
   workings->simulated.records[1].displacement *= -1.0;
   EXPECT_THAT(diagnosis::words::sentence(d), Not(HasSubstr("All displacements")));
 }

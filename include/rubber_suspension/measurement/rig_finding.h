@@ -1,4 +1,4 @@
-// A finding about the rig, as reports state it.
+// A finding about the rig, as reports state it. Throws nothing.
 #pragma once
 
 #include <array>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "diagnosis/hypotheses/workings.h"
+#include "diagnosis/judge/numbers.h"
 
 namespace rubber_suspension::diagnosis::experiment {
 
@@ -15,7 +16,7 @@ struct Explanation {
   double expected = 1e-4;   ///< mean expected squared residual of the logs (judge::expectedSquares())
   double loss = 0.0;        ///< mean of judge::lossOf() over the logs so far
   double usual_size = 0.0;  ///< size below which an effect is improbable (judge::usualSize())
-  double sharpness = 0.0;   ///< of the judgement (judge::sharpnessOf())
+  double sharpness = judge::fittedNumbers().sharpness;  ///< of the judgement (judge::sharpnessOf())
 };
 
 /// A wrong explanation after it has been refitted to the logs and a new log that follows from the right explanation.
