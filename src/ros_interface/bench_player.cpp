@@ -91,7 +91,9 @@ void BenchPlayer::playPass(std::size_t pass, bool more_follow) {
   }
 }
 
-void BenchPlayer::playPasses(std::size_t passes) {
+std::vector<BenchCount> BenchPlayer::play(std::size_t passes) {
+  connect();
+  starts_.assign(tracks_.size(), LogPlayer::Steady::now());
   const auto is_complete = [](const BenchCount& count) { return count.complete; };
   for (std::size_t pass = 0; (passes == 0 || pass < passes) && ros::ok(); ++pass) {
     playPass(pass, passes == 0 || pass + 1 < passes);
@@ -99,24 +101,9 @@ void BenchPlayer::playPasses(std::size_t passes) {
       break;
     }
   }
-}
-
-void BenchPlayer::closeRecorders() {
   for (auto& recorder : recorders_) {
     recorder->close();
   }
-}
-
-std::vector<BenchCount> BenchPlayer::play(std::size_t passes) {
-  connect();
-  starts_.assign(tracks_.size(), LogPlayer::Steady::now());
-  try {
-    playPasses(passes);
-  } catch (...) {
-    closeRecorders();  // so that the files contain the passes that were complete
-    throw;
-  }
-  closeRecorders();
   return counts_;
 }
 

@@ -44,16 +44,13 @@ class BenchPlayer {
   void connect();
 
   /// Plays the logs `passes` times, or until ROS is shut down if `passes` is 0. A pass is recorded up to the point
-  /// where the playback ends. If a player or recorder throws, the files of the earlier passes are closed and the
-  /// exception is passed on.
+  /// where the playback ends. If a player or recorder throws, nothing is recorded and the exception is passed on.
   std::vector<BenchCount> play(std::size_t passes);
 
   /// Returns the forces of a component in its last pass [N], one for every sample of its log, 0 without an answer.
   const std::vector<double>& lastForces(std::size_t track) const { return last_forces_[track]; }
 
  private:
-  void playPasses(std::size_t passes);
-  void closeRecorders();
   void playPass(std::size_t pass, bool more_follow);
   void playTrack(std::size_t track, std::size_t pass, bool more_follow);
 
