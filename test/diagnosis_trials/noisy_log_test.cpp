@@ -30,5 +30,44 @@ TEST(NoisyLog, HidesNothing) {
   EXPECT_THAT(noisy->notes, ::testing::Contains(HasSubstr("times the weight of other logs")));
 }
 
+// Returns a log of a component without effects, with 1/f noise of 150 N, or 12 % of the force: a sum of first-order
+// processes whose time constants lie an octave apart (van der Ziel, Physica 16, 1950).
+log::Log withColouredNoise(const std::string& name, unsigned seed) {
+  log::Log log = runRig(name, seed, nothing);
+  std::mt19937 generator(seed);
+  constexpr double kProcesses = 8.0;  // from 2 to 256 samples, or 0.2 to 20 Hz
+  std::normal_distribution<double> normal(0.0, 150.0 / std::sqrt(kProcesses));
+  for (int octave = 1; octave <= static_cast<int>(kProcesses); ++octave) {
+    const double pole = std::exp(-std::exp2(-octave));
+    double state = normal(generator);
+    for (double& force : log.force) {
+      state = pole * state + std::sqrt(1.0 - pole * pole) * normal(generator);
+      force += state;
+    }
+  }
+  return log;
+}
+
+// The power of the noise does not follow the motion, so no effect is needed to explain the residual.
+TEST(NoisyLog, OfColouredNoiseLacksNoEffect) {
+  const auto result = checkedDiagnosis(
+      rigComponent(), {withColouredNoise("a", 1), withColouredNoise("b", 2), withColouredNoise("c", 3)}, {});
+  EXPECT_THAT(result.answer.effects, ::testing::IsEmpty()) << result.sentence;
+  EXPECT_NE(result.answer.verdict, diagnosis::Verdict::unknown) << result.sentence;
+  const auto found = std::count_if(result.rig_findings.begin(), result.rig_findings.end(), [](const auto& finding) {
+    return finding.finding == measurement::finding::kColouredNoise;
+  });
+  EXPECT_EQ(found, 3);
+}
+
+// A residual that follows the motion is no noise, although the verdict on it is open.
+TEST(NoisyLog, OfAnUnlistedLawHasNoColouredNoise) {
+  const RigEffect growing = [](double time, double z, double /*rate*/) { return 2e5 * z * std::sin(3.0 * time); };
+  const auto result = checkedDiagnosis(rigComponent(), {runRig("a", 1, growing), runRig("b", 2, growing)}, {});
+  for (const auto& finding : result.rig_findings) {
+    EXPECT_NE(finding.finding, measurement::finding::kColouredNoise) << result.sentence;
+  }
+}
+
 }  // namespace
 }  // namespace rubber_suspension
