@@ -166,9 +166,7 @@ class MessageWalk {
     const std::size_t place = digits                  ? std::stoul(element)
                               : named != names_.end() ? static_cast<std::size_t>(named - names_.begin())
                                                       : count;
-    for (std::size_t i = 0; i < std::min(place, count); ++i) {
-      skipOne(field.type, nullptr);
-    }
+    skipElements(field.type, std::min(place, count), nullptr);
     return place < count;
   }
 
@@ -176,23 +174,26 @@ class MessageWalk {
     const std::size_t count = field.count == kSingle      ? 1
                               : field.count == kAnyNumber ? take<std::uint32_t>()
                                                           : static_cast<std::size_t>(field.count);
-    if (const std::size_t size = builtinSize(field.type); size > 0) {
+    skipElements(field.type, count, texts);
+  }
+
+  void skipElements(const std::string& type, std::size_t count, std::vector<std::string>* texts) {
+    if (const std::size_t size = builtinSize(type); size > 0) {
       advance(count <= bytes_.size() ? size * count : bytes_.size() + 1);
       return;
     }
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t begin = at_;
-      skipOne(field.type, texts);
+      skipOne(type, texts);
       if (at_ == begin) {
         return;  // the other elements do not occupy any bytes either
       }
     }
   }
 
+  // Skips a text or a message.
   void skipOne(const std::string& type, std::vector<std::string>* texts) {
-    if (const std::size_t size = builtinSize(type); size > 0) {
-      advance(size);
-    } else if (type == "string") {
+    if (type == "string") {
       const auto length = take<std::uint32_t>();
       const std::size_t begin = advance(length);
       if (texts != nullptr) {

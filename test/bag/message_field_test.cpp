@@ -141,8 +141,8 @@ TEST_F(MessageField, IsRefusedByNameWhereItIsNotThere) {
   EXPECT_THAT(refusal({"displacement=/joint_states/name[0]"}), HasSubstr("a field of type string"));
 }
 
-// Reads the field `data` of two messages. Their bytes are a count without any elements behind it, and the number 3.
-log::Log readWithDefinition(const std::string& definition, std::uint32_t count) {
+// Reads a field of two messages. Their bytes are a count without any elements behind it, and the number 3.
+log::Log readWithDefinition(const std::string& definition, std::uint32_t count, const std::string& field = "data") {
   const TemporaryFile file("odd.bag", "");
   constexpr double kNumber = 3.0;
   RawMessage message{definition, std::vector<std::uint8_t>(sizeof count + sizeof kNumber)};
@@ -153,7 +153,7 @@ log::Log readWithDefinition(const std::string& definition, std::uint32_t count) 
     bag.write("/odd", stampAt(0), message);
     bag.write("/odd", stampAt(1), message);
   }
-  return bag::readBagLog(file.path(), "", log::makeLogFormat({"displacement=/odd/data"}, "", 0.0));
+  return bag::readBagLog(file.path(), "", log::makeLogFormat({"displacement=/odd/" + field}, "", 0.0));
 }
 
 TEST(DefinitionOfAMessage, MayHaveAnyNumberOfElementsWithoutFields) {
@@ -161,6 +161,8 @@ TEST(DefinitionOfAMessage, MayHaveAnyNumberOfElementsWithoutFields) {
       "odd/Nothing[] many\nodd/Twice twice\nfloat64 data\n===\nMSG: odd/Nothing\n===\n"
       "MSG: odd/Twice\nodd/Nothing a\nodd/Nothing[2] b\n";
   EXPECT_EQ(readWithDefinition(definition, 0xffffffff).displacement, (std::vector<double>{3.0, 3.0}));
+  EXPECT_THAT(messageOf<log::LogError>([&] { readWithDefinition(definition, 0xffffffff, "many[missing]"); }),
+              HasSubstr("the field has no number"));
 }
 
 TEST(DefinitionOfAMessage, IsRefusedIfATypeContainsItself) {

@@ -413,8 +413,9 @@ Diagnosis describe(const hypotheses::PreparedCase& prepared, Workings judged,
   const auto settle = [&] {  // a set of effects is no answer if it, or one of its effects, closes nothing
     for (bool settled = false; !settled;) {
       named = writtenLaw(prepared, search, search.at(workings->answer.model), gap_before, options);
-      removed = describer(named).squaresRemoved();
-      settled = (removed.empty() || describer(named).closes()) &&
+      const Describer of_named = describer(named);
+      removed = of_named.squaresRemoved();
+      settled = (removed.empty() || of_named.closes()) &&
                 std::all_of(removed.begin(), removed.end(), [](double squares) { return squares > 0.0; });
       if (!settled) {
         workings->evidence.hypotheses[static_cast<std::size_t>(workings->answer.model)].idle = true;
