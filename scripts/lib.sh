@@ -68,13 +68,14 @@ thin_out() {
 scratch() { mktemp "$@" "${TMPDIR:-/tmp}/rubber_suspension.XXXXXX"; }
 
 # Sets `launcher` to options that make CMake call the compiler through ccache, if it is installed. ccache only caches
-# code with precompiled headers if it may ignore macros and times in them.
+# code with precompiled headers if it may ignore macros and times in them. It has to hash comments: a precompiled header
+# of which only a comment differs from its file does not count as included, so that its file is compiled twice.
 use_ccache() {
   launcher=()
   command -v ccache >/dev/null || return 0
   local sloppiness
   sloppiness=$(ccache --get-config sloppiness)
-  local command="env;CCACHE_SLOPPINESS=pch_defines,time_macros${sloppiness:+,${sloppiness// /}};ccache"
+  local command="env;CCACHE_COMMENTS=1;CCACHE_SLOPPINESS=pch_defines,time_macros${sloppiness:+,${sloppiness// /}};ccache"
   launcher=("-DCMAKE_C_COMPILER_LAUNCHER=$command" "-DCMAKE_CXX_COMPILER_LAUNCHER=$command")
 }
 

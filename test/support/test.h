@@ -48,7 +48,7 @@ using testing::StartsWith;
 using testing::ThrowsMessage;
 using testing::UnorderedElementsAre;
 
-/// Returns the message of the `Error` that an action throws, or an empty string.
+/// Returns the message of the `Error` that an action throws, or an empty string if it throws none.
 template <class Error, class Action>
 std::string messageOf(const Action& action) {
   try {
