@@ -5,6 +5,7 @@
 #include <ceres/gradient_problem_solver.h>
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -216,6 +217,43 @@ JudgeNumbers calibrate(const std::vector<FittedCase>& cases) {
     }
   }
   return unknowns.numbers(best.data());
+}
+
+Certainty certaintyOf(const std::vector<FittedCase>& cases, const JudgeNumbers& numbers) {
+  constexpr double kStep = 1e-2;  // of the prior standard deviation: far above the error of the gradient
+  const Unknowns unknowns(cases);
+  const Loss loss(cases, unknowns);
+  const std::vector<double> prior = unknowns.deviations();
+  const Eigen::Map<const Eigen::VectorXd> deviations(prior.data(), unknowns.size());
+  const auto gradientAt = [&](const std::vector<double>& values) {
+    Eigen::VectorXd gradient(unknowns.size());
+    double value = 0.0;
+    loss.Evaluate(values.data(), &value, gradient.data());
+    return gradient;
+  };
+  const std::vector<double> best = unknowns.valuesOf(numbers);
+  Eigen::MatrixXd hessian(unknowns.size(), unknowns.size());  // in units of the prior standard deviations
+  for (int i = 0; i < unknowns.size(); ++i) {
+    std::vector<double> above = best;
+    std::vector<double> below = best;
+    above[static_cast<std::size_t>(i)] += kStep * deviations[i];
+    below[static_cast<std::size_t>(i)] -= kStep * deviations[i];
+    hessian.col(i) = (gradientAt(above) - gradientAt(below)).cwiseProduct(deviations) / (2.0 * kStep);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (hessian + hessian.transpose()));
+  // At a minimum that the tolerance of the fit stopped early, an eigenvalue may lie below that of the prior, which
+  // is 1.
+  const Eigen::VectorXd eigenvalues = solver.eigenvalues().cwiseMax(1.0);
+  const Eigen::MatrixXd& vectors = solver.eigenvectors();
+  const Eigen::VectorXd errors =
+      (vectors * eigenvalues.cwiseInverse().asDiagonal() * vectors.transpose()).diagonal().cwiseSqrt();
+  Certainty certainty;
+  for (std::size_t i = 0; i < numberTable().size(); ++i) {
+    certainty.errors.push_back(errors[static_cast<Eigen::Index>(i)] * prior[i]);
+  }
+  certainty.known = static_cast<int>((eigenvalues.array() > 2.0).count());  // the cases add more than the prior's 1
+  certainty.directions = unknowns.size();
+  return certainty;
 }
 
 std::string fittedNumbersSource(const JudgeNumbers& numbers, const std::string& of) {

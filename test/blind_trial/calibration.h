@@ -32,6 +32,15 @@ double probabilityOfTruth(const FittedCase& known, const diagnosis::judge::Judge
 /// of the effects in the evidence.
 diagnosis::judge::JudgeNumbers calibrate(const std::vector<FittedCase>& cases);
 
+/// How well the cases determine the numbers, from the Hessian of the loss at its minimum.
+struct Certainty {
+  std::vector<double> errors;  ///< standard errors of the rows of numberTable(), in logarithms of positive numbers
+  int known = 0;               ///< directions that the cases determine better than the prior does
+  int directions = 0;          ///< number of all directions
+};
+
+Certainty certaintyOf(const std::vector<FittedCase>& cases, const diagnosis::judge::JudgeNumbers& numbers);
+
 /// Returns the source file with the numbers. `of` describes the fit in words.
 std::string fittedNumbersSource(const diagnosis::judge::JudgeNumbers& numbers, const std::string& of);
 

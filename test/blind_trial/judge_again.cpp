@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/binomial.hpp>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -55,19 +57,13 @@ struct Counts {
   long cases = 0;
   long right = 0;
   long too_many = 0;
-};
 
-Counts count(const std::vector<Judged>& judged, const std::string& group) {
-  Counts counts;
-  for (const Judged& one : judged) {
-    if (group.empty() || one.known->group() == group) {
-      ++counts.cases;
-      counts.right += one.isRight() ? 1 : 0;
-      counts.too_many += one.known->namesTooMuch(one.said) ? 1 : 0;
-    }
+  void add(const Judged& one) {
+    ++cases;
+    right += one.isRight() ? 1 : 0;
+    too_many += one.known->namesTooMuch(one.said) ? 1 : 0;
   }
-  return counts;
-}
+};
 
 // Formats a share with its 95 % interval (Clopper and Pearson, Biometrika 26, 1934): "86.0 % (72 to 95 %)".
 std::string share(long part, long all) {
@@ -80,20 +76,24 @@ std::string share(long part, long all) {
                      100.0 * Binomial::find_upper_bound_on_p(n, k, kTail));
 }
 
-void printGroups(const std::vector<Judged>& judged) {
+// Prints a table of the cases by the text that `keyOf` returns for each.
+template <class Key>
+void printCounts(const char* title, const std::vector<Judged>& judged, const Key& keyOf) {
   std::map<std::string, Counts> rows;
+  Counts all;
   for (const Judged& one : judged) {
-    rows[one.known->group()] = count(judged, one.known->group());
+    rows[keyOf(*one.known)].add(one);
+    all.add(one);
   }
-  std::cout << "| cases | number | right (95 %) | an effect too many (95 %) |\n|---|---|---|---|\n";
+  std::cout << fmt::format("\n| {} | number | right (95 %) | an effect too many (95 %) |\n|---|---|---|---|\n", title);
   const auto row = [](const std::string& name, const Counts& counts) {
     std::cout << fmt::format("| {} | {} | {} | {} |\n", name, counts.cases, share(counts.right, counts.cases),
                              share(counts.too_many, counts.cases));
   };
-  for (const auto& [group, counts] : rows) {
-    row(group, counts);
+  for (const auto& [key, counts] : rows) {
+    row(key, counts);
   }
-  row("all", count(judged, ""));
+  row("all", all);
 }
 
 std::string inWords(const Truth& truth) {
@@ -145,31 +145,52 @@ double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vect
   return sum / count;
 }
 
-// Returns the numbers for each case: the last fitted ones, or those fitted without the fold that contains the case.
-std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, int folds) {
-  if (folds == 0) {
-    return {cases.size(), diagnosis::judge::fittedNumbers()};
-  }
+// Returns the numbers for each case: those fitted to the cases of all other parts.
+std::vector<JudgeNumbers> numbersOfOthers(const std::vector<TrialCase>& cases, const std::vector<std::string>& parts) {
   std::vector<JudgeNumbers> numbers(cases.size());
-  for (int fold = 0; fold < folds; ++fold) {
-    const auto isIn = [&](std::size_t i) { return static_cast<int>(i) % folds == fold; };
+  for (const std::string& part : std::set<std::string>(parts.begin(), parts.end())) {
     std::vector<TrialCase> others;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-      if (!isIn(i)) {
+      if (parts[i] != part) {
         others.push_back(cases[i]);
       }
     }
-    std::cerr << fmt::format("judge_again: fitting without part {} of {}\n", fold + 1, folds);
+    std::cerr << fmt::format("judge_again: fitting without {}\n", part);
     const JudgeNumbers fitted = calibrate(fittedCases(others));
     for (std::size_t i = 0; i < cases.size(); ++i) {
-      numbers[i] = isIn(i) ? fitted : numbers[i];
+      numbers[i] = parts[i] == part ? fitted : numbers[i];
     }
   }
   return numbers;
 }
 
-void printFigures(const std::vector<TrialCase>& cases, int folds) {
-  const std::vector<JudgeNumbers> numbers = numbersOf(cases, folds);
+// Prints the slope of a logistic regression of right verdicts on the log odds of stated probabilities: 1 if these are
+// true, and less if they are too certain. A prior of Jeffreys keeps it finite if all verdicts are right.
+void printSlope(const std::vector<Judged>& judged) {
+  constexpr double kNearCertain = 1e-3;  // closer to 0 or 1, a stated probability counts as this
+  Eigen::MatrixX2d regressors(static_cast<Eigen::Index>(judged.size()), 2);
+  Eigen::VectorXd right(regressors.rows());
+  for (Eigen::Index i = 0; i < regressors.rows(); ++i) {
+    const Judged& one = judged[static_cast<std::size_t>(i)];
+    const double stated = std::clamp(one.said.stated, kNearCertain, 1.0 - kNearCertain);
+    regressors.row(i) << 1.0, std::log(stated / (1.0 - stated));
+    right[i] = one.isRight() ? 1.0 : 0.0;
+  }
+  Eigen::Vector2d line(0.0, 1.0);
+  Eigen::Matrix2d information;
+  for (int step = 0; step < 30; ++step) {
+    const Eigen::VectorXd expected = (1.0 + (-(regressors * line).array()).exp()).inverse();
+    const Eigen::VectorXd variance = expected.array() * (1.0 - expected.array());
+    information = regressors.transpose() * variance.asDiagonal() * regressors;
+    const Eigen::VectorXd leverage =
+        variance.array() * (regressors * information.inverse()).cwiseProduct(regressors).rowwise().sum().array();
+    const Eigen::VectorXd score = (right - expected).array() + leverage.array() * (0.5 - expected.array());
+    line += information.ldlt().solve(regressors.transpose() * score);
+  }
+  std::cout << fmt::format("\nCalibration slope: {:.2f} +- {:.2f}\n", line[1], std::sqrt(information.inverse()(1, 1)));
+}
+
+void printFigures(const std::vector<TrialCase>& cases, const std::vector<JudgeNumbers>& numbers) {
   std::vector<Judged> judged;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     judged.push_back({&cases[i], saidOf(cases[i], numbers[i])});
@@ -178,9 +199,10 @@ void printFigures(const std::vector<TrialCase>& cases, int folds) {
   std::cout << fmt::format("{} cases, {} of them without evidence, which count as wrong. Wrong are:\n\n", cases.size(),
                            refused);
   printWrong(judged);
-  std::cout << "\n";
-  printGroups(judged);
+  printCounts("cases", judged, [](const TrialCase& known) { return known.group(); });
+  printCounts("hand", judged, [](const TrialCase& known) { return known.hand; });
   printStated(judged);
+  printSlope(judged);
   std::cout << fmt::format("\nMean logarithm of the probability of the truth: {:.3f}\n",
                            meanLogarithmOfTruth(cases, numbers));
 }
@@ -214,11 +236,18 @@ void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path) 
   if (!file.flush()) {
     throw std::runtime_error(path + ": cannot be written");
   }
-  std::cout << "| number | fitted | before | unit | meaning |\n|---|---|---|---|---|\n";
+  const Certainty certainty = certaintyOf(fittedCases(cases), numbers);
+  const JudgeNumbers& before = diagnosis::judge::fittedNumbers();
+  std::cout << "| number | fitted | standard error | fitted before | mean of the prior | its standard "
+               "deviation | unit | meaning |\n|---|---|---|---|---|---|---|---|\n";
+  std::size_t row = 0;
   for (const diagnosis::judge::NumberInfo& info : diagnosis::judge::numberTable()) {
-    std::cout << fmt::format("| `{}` | {:.3g} | {:.3g} | {} | {} |\n", info.name, numbers.*info.value, info.mean,
-                             info.unit, info.meaning);
+    std::cout << fmt::format("| `{}` | {:.3g} | {:.2g}{} | {:.3g} | {:.3g} | {:.2g} | {} | {} |\n", info.name,
+                             numbers.*info.value, certainty.errors[row++], info.positive ? " (ln)" : "",
+                             before.*info.value, info.mean, info.deviation, info.unit, info.meaning);
   }
+  std::cout << fmt::format("\nThe cases determine {} of {} directions better than the prior does.\n", certainty.known,
+                           certainty.directions);
 }
 
 void printVerdicts(const std::vector<TrialCase>& cases) {
@@ -232,6 +261,7 @@ struct Options {
   std::vector<std::string> folders;
   std::string numbers;
   int folds = 0;  // 0: use the last fitted numbers
+  bool hands = false;
   bool verdicts = false;
 
   command_line::OptionTable table() {
@@ -241,9 +271,13 @@ struct Options {
         Option("--calibrate", numbers, "FILE", "fit the numbers of the judgement and write this source"),
         Option("--folds", folds, "NUMBER", "judge each of so many parts by numbers fitted to the others")
             .within(2, 100),
+        Option("--hands", hands,
+               "judge the cases of each hand by numbers fitted to the others; the cases of a hand are in "
+               "folders of one folder"),
         Option("--verdicts", verdicts, "print the verdict of each case alone")};
-    options.excludes({"--folds", "--verdicts"}, {"--calibrate"});
-    options.excludes({"--folds"}, {"--verdicts"});
+    options.excludes({"--folds", "--hands", "--verdicts"}, {"--calibrate"});
+    options.excludes({"--folds", "--hands"}, {"--verdicts"});
+    options.excludes({"--folds"}, {"--hands"});
     return options;
   }
 };
@@ -260,6 +294,19 @@ std::vector<TrialCase> casesOf(const Options& options) {
   return cases;
 }
 
+// Returns the numbers that judge each case.
+std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, const Options& options) {
+  if (!options.hands && options.folds == 0) {
+    return {cases.size(), diagnosis::judge::fittedNumbers()};
+  }
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    parts.push_back(options.hands ? cases[i].hand
+                                  : fmt::format("part {}", i % static_cast<std::size_t>(options.folds) + 1));
+  }
+  return numbersOfOthers(cases, parts);
+}
+
 int run(const Options& options) {
   const std::vector<TrialCase> cases = casesOf(options);
   if (!options.numbers.empty()) {
@@ -267,7 +314,7 @@ int run(const Options& options) {
   } else if (options.verdicts) {
     printVerdicts(cases);
   } else {
-    printFigures(cases, options.folds);
+    printFigures(cases, numbersOf(cases, options));
   }
   return 0;
 }

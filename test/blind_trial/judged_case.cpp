@@ -59,9 +59,10 @@ Truth truthOf(const nlohmann::json& label) {
   return truth;
 }
 
-TrialCase caseOf(const std::string& name, const fs::path& label, const fs::path& evidence) {
+TrialCase caseOf(const fs::path& folder, const fs::path& label, const fs::path& evidence) {
   try {
-    TrialCase result{name, truthOf(nlohmann::json::parse(textOf(label))), std::nullopt};
+    TrialCase result{(folder.filename() / label.stem()).string(), folder.parent_path().filename().string(),
+                     truthOf(nlohmann::json::parse(textOf(label))), std::nullopt};
     if (fs::exists(evidence)) {
       result.evidence = diagnosis::parseEvidence(textOf(evidence));
     }
@@ -152,8 +153,7 @@ std::vector<TrialCase> casesOfFolder(const std::string& folder) {
   for (const fs::path& label : filesIn(stem + "_labels")) {
     const std::string name = label.stem().string();
     if (fs::exists(stem + "_reports/" + name + "/run.json")) {  // skips cases that are still running
-      cases.push_back(
-          caseOf(fs::path(stem).filename().string() + "/" + name, label, stem + "_reports/" + name + "/evidence.json"));
+      cases.push_back(caseOf(fs::absolute(stem), label, stem + "_reports/" + name + "/evidence.json"));
     }
   }
   return cases;

@@ -32,6 +32,7 @@ double leftBeyondNoise(const diagnosis::judge::Evidence& evidence, int hypothesi
 
 struct TrialCase {
   std::string name;
+  std::string hand;  ///< name of the folder that contains FOLDER; its cases are written by one author
   Truth truth;
   std::optional<diagnosis::judge::Evidence> evidence;  ///< missing if the diagnosis refused the logs or failed
 

@@ -14,6 +14,7 @@ import subprocess
 import numpy as np
 
 from replayed import force_along, write_log
+from virtual_rig.base import sheet_factor
 
 RATE = 500.0
 TIME = np.arange(0.0, 20.0, 1.0 / RATE)
@@ -26,7 +27,7 @@ MODELS = {
     "maxwell": {**STIFFNESSES, "maximum_stiffness": 1.45e6},
     "maxwell_dashpot": {**STIFFNESSES, "break_frequency": 8.0, "relative_damping": 0.27},
 }
-# Standard deviations of the numbers of a sheet. The operating point, and damping taken from a loop, have no error.
+# Relative standard deviations of the numbers of a sheet. The operating point, and damping taken from a loop, have no error.
 OFF = {"static_stiffness": 0.1, "dynamic_stiffness": 0.1, "maximum_stiffness": 0.1, "high_frequency": 0.05}
 OFF_BESIDE_GAIN = 0.3  # factor on all of OFF if the gain is wrong
 GAINS = (1.03, 1.5)  # or their reciprocals
@@ -75,7 +76,7 @@ def write_case(number, options):
     forces = {log: force_along(options.replay, config, "bush", TIME, z) for log, z in logs.items()}
     share = OFF_BESIDE_GAIN if options.gain else 1.0
     while True:  # repeat until the sheet has a solution
-        sheet = {key: value * (1.0 + share * OFF.get(key, 0.0) * rng.standard_normal()) for key, value in MODELS[model].items()}
+        sheet = {key: value * sheet_factor(rng, share * OFF.get(key, 0.0)) for key, value in MODELS[model].items()}
         write_component(config, model, sheet)
         if has_solution(options.replay, config, logs["road"]):
             break

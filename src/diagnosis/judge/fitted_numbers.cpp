@@ -30,6 +30,7 @@ const JudgeNumbers& fittedNumbers() {
     fitted.per_gain = 0.7894;
     fitted.share = 0.5988;
     fitted.share_spread = 0.6208;
+    fitted.beyond_spread = 0.6208;
     fitted.rates["asymmetric_stiffness"] = -0.605;
     fitted.rates["backlash"] = -0.589;
     fitted.rates["bump_stop"] = -0.465;

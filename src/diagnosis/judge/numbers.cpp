@@ -48,6 +48,8 @@ const std::vector<NumberInfo>& numberTable() {
       {"share", "share of the gap after re-estimation below which an effect is improbable",
        "of the gap after re-estimation", &N::share, true, 0.5, 0.5},
       {"share_spread", "standard deviation of the logarithm of smaller shares", "1", &N::share_spread, true, 0.7, 0.4},
+      {"beyond_spread", "share_spread of what a law removes beyond the simpler law that it contains", "1",
+       &N::beyond_spread, true, 1.5, 0.5},
   };
   return table;
 }

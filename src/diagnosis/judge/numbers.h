@@ -32,6 +32,7 @@ struct JudgeNumbers {
   double per_gain = 0.4;
   double share = 0.5;
   double share_spread = 0.7;
+  double beyond_spread = 1.5;
   /// for each effect: addition to the log prior that all effects have in common
   std::map<std::string, double> rates = {};
 

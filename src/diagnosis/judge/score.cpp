@@ -131,8 +131,9 @@ std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesi
   return rows;
 }
 
-// Stores the sizes that laws remove in addition to the laws that they contain. Such an addition has the prior of the
-// size of an effect, because a law without it equals a contained law.
+// Stores the sizes that laws remove in addition to the laws that they contain. Such an addition has a prior like the
+// size of an effect, because a law without it equals a contained law, but a wider one: what a small clearance changes in
+// a friction force is far less than the whole force.
 void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTable& table) {
   std::vector<double>& sizes = table.sizes_beyond.emplace_back();
   for (const int member : table.members[hypothesis]) {
@@ -195,7 +196,7 @@ double priorOf(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t
       const double usual = usualSize(table, numbers);
       return priorOfSet(table, numbers, hypothesis) +
              priorOfSizes(table.sizes[hypothesis], usual, numbers.share_spread) +
-             priorOfSizes(table.sizes_beyond[hypothesis], usual, numbers.share_spread);
+             priorOfSizes(table.sizes_beyond[hypothesis], usual, numbers.beyond_spread);
   }
 }
 

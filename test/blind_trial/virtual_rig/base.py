@@ -127,6 +127,15 @@ def friction_on_grid(z, z2, rate, dead_band):
     return np.interp(n, n[::skip], berg_response(z[::skip], z2, dead_band))
 
 
+def sheet_factor(rng, spread):
+    """Return the factor by which a number of a data sheet is wrong.
+
+    Its logarithm follows Student's t with four degrees of freedom, because some sheets are far off, and has the standard
+    deviation `spread`.
+    """
+    return math.exp(spread * rng.standard_t(4) / math.sqrt(2.0))
+
+
 # ---- from a specification to parameters -----------------------------------------------------------------------------
 
 

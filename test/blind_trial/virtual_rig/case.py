@@ -33,7 +33,8 @@ FAMILIES = (((1e5, 6e5), (3e-4, 1.5e-3)), ((8e5, 6e6), (3e-4, 2e-3)), ((5e5, 1.2
 HOPELESS = ({"relaxation", "creep"}, {"relaxation", "series_compliance"}, {"viscous_damping", "time_delay"},
             {"relaxation", "viscous_damping"}, {"creep", "force_drift"}, {"force_offset", "asymmetric_stiffness"},
             {"creep", "series_compliance"}, {"force_offset", "force_drift"}, {"progressive_stiffness", "bump_stop"},
-            {"friction", "backlash"}, {"inertia", "fluid_inertia"})  # the second effect contains the first
+            {"friction", "backlash"}, {"inertia", "fluid_inertia"}, {"relaxation", "payne_effect"},
+            {"friction", "payne_effect"})  # in these last four, the second effect contains the first
 # Coupling is named only if no two effects explain the gap, and a contact needs its own programmes. Neither is paired.
 ALONE = ("rate_amplitude_coupling", "lift_off")
 PAIRED = [effect for effect in laws.EFFECTS if effect not in ALONE]
@@ -120,10 +121,10 @@ def draw_model(rng, effects):
 
 
 def wrong_specification(rng, model, s, spread):
-    """Return a solvable specification with values off by up to `spread`, the factors of the values, and its base."""
+    """Return a solvable specification with values off by about `spread`, the factors of the values, and its base."""
     for _ in range(200):
-        factors = {k: float(np.exp(rng.choice([-1, 1]) * rng.uniform(0.2, 1.0) * math.log1p(spread)))
-                   for k in s if k not in ("maxwell_elements", "nominal_amplitude")}
+        factors = {k: bases.sheet_factor(rng, spread) for k in s
+                   if k not in ("maxwell_elements", "nominal_amplitude")}
         other = {k: float(f"{v * factors.get(k, 1.0):.5g}") if k != "maxwell_elements" else v for k, v in s.items()}
         try:
             return other, factors, bases.from_specification(model, other)
@@ -247,7 +248,7 @@ def shares_of(rng, count):
 
 
 def apply_parameter_error(case):
-    """Make the values of the file wrong: always in cases of parameter error, otherwise in three of ten cases."""
+    """Make the values of the file wrong, except in cases without a gap."""
     rng, kind = case["rng"], case["kind"]
     case["file_specification"], case["parameter_error"] = case["specification"], None
     case["file_base"] = bases.Base(**{f.name: getattr(case["base"], f.name) for f in dataclasses.fields(bases.Base)})
@@ -256,13 +257,12 @@ def apply_parameter_error(case):
         case["parameter_error"] = {"level": "element", "factors": factors}
         case["base"] = worn
         case["rig"] = Rig(worn, case["z"], case["rig"].rate, [])
-    elif kind == "parameter_error" or (kind != "none" and rng.random() < 0.3):
-        spread = rng.uniform(0.05, 0.30) if kind == "parameter_error" else rng.uniform(0.01, 0.08)
-        wrong_file(case, spread)
+    elif kind != "none":
+        wrong_file(case, rng.uniform(0.05, 0.30) if kind == "parameter_error" else rng.uniform(0.01, 0.08))
 
 
 def wrong_file(case, spread):
-    """Make the values of the file wrong by up to `spread`. The values of the rig stay the same."""
+    """Make the values of the file wrong by about `spread`. The values of the rig stay the same."""
     s, factors, base = wrong_specification(case["rng"], case["model"], case["specification"], spread)
     case["file_specification"], case["file_base"] = s, base
     case["parameter_error"] = {"level": "specification", "factors": factors}

@@ -311,6 +311,31 @@ def coupling_eyring(rng, scale):
     return friction_effect(run, scale, {"w": w, "s": s})
 
 
+@law("payne_effect", "kraus_kinetics")
+def payne_kraus(rng, scale):
+    """A Maxwell element whose stiffness is the share N of intact filler contacts (Kraus, J. Appl. Polym. Sci. 39, 1984).
+
+    dN/dt = ((1 - N) (half/a)^m - N (a/half)^m) / T, where `a` is the largest recent distance from the mean position.
+    """
+    m, half = rng.uniform(0.45, 0.8), scale.amplitude * log_uniform(rng, 0.05, 0.5)
+    time, recent, tau = log_uniform(rng, 0.3, 4.0), log_uniform(rng, 0.5, 2.0), log_uniform(rng, 0.1, 2.0)
+
+    def run(z, rate):
+        out, decay, fade = np.empty_like(z), math.exp(-1.0 / (rate * tau)), math.exp(-1.0 / (rate * recent))
+        intact, force, mean, amplitude, before = 1.0, 0.0, float(z[0]), 0.0, float(z[0])
+        for i, x in enumerate(z.tolist()):
+            mean += (x - mean) * 0.5 / (rate * recent)
+            amplitude = max(abs(x - mean), amplitude * fade)
+            breaks = (max(amplitude, 1e-3 * half) / half) ** m
+            speed = (breaks + 1.0 / breaks) / time
+            settled = 1.0 / (1.0 + breaks * breaks)
+            intact = settled + (intact - settled) * math.exp(-speed / rate)
+            force = decay * force + intact * (x - before)
+            before, out[i] = x, force / scale.amplitude
+        return out
+    return friction_effect(run, scale, {"m": m, "half": half, "time": time, "recent": recent, "tau": tau})
+
+
 # ---- softening and heating: factors on the specimen's force ----------------------------------------------------------
 
 
