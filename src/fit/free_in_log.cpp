@@ -11,6 +11,23 @@
 
 namespace rubber_suspension::fit {
 
+StoredForces::StoredForces(const gap::Forces& forces) {
+  double largest = 0.0;
+  for (const Eigen::VectorXd& force : forces) {
+    largest = std::max(largest, force.size() > 0 ? force.cwiseAbs().maxCoeff() : 0.0);
+  }
+  largest_ = largest > 0.0 && std::isfinite(largest) ? largest : 1.0;
+  for (const Eigen::VectorXd& force : forces) {
+    shapes_.push_back((force / largest_).cast<float>());
+  }
+}
+
+StoredForces StoredForces::without(std::size_t log) const {
+  StoredForces others = *this;
+  others.shapes_.erase(others.shapes_.begin() + static_cast<std::ptrdiff_t>(log));
+  return others;
+}
+
 std::vector<Eigen::Index> PerLogNuisances::placesIn(const PerLogNuisances& all) const {
   std::vector<Eigen::Index> places;
   Eigen::Index next = 0;

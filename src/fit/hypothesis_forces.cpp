@@ -320,7 +320,10 @@ ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term, 
   if (basis_term.on_rig || !(basis_term.softening || place.interaction.softens)) {
     return unit_effect;
   }
-  gap::Forces column = *unit_effect;
+  gap::Forces column;
+  for (std::size_t r = 0; r < place.base.size(); ++r) {
+    column.emplace_back((*unit_effect)[r]);
+  }
   unit_effect.reset();
   ParameterVector others = place.parameters;
   others.scales = -others.scales;

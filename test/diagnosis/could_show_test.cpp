@@ -152,7 +152,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
       continue;
     }
     std::vector<gap::PreparedRecord> with = records;
-    with.front().force += kSize * implant.scale * (*term.unit_effect).front();
+    with.front().force += kSize * implant.scale * (*term.unit_effect)[0];
     const fit::Fitter fitted(with, model, kOneDeviation);
     const double left = fitted.fit({}, fitted.configured({}), {10}).gap;
     // The tolerance covers the nonlinearity of the model in its parameters and noise of 0.2 % of the force.

@@ -223,8 +223,9 @@ TEST_F(Rivals, TheBestMotionLeavesLeastOpen) {
   const auto best = discriminator.best(menu);
   ASSERT_NE(best.experiment, nullptr);
   EXPECT_LT(best.open, diagnosis::experiment::openNames(explanations, {0.6, 0.4}));
+  constexpr double kRounding = 1e-6;  // columns have single precision, and are scaled with those of other motions
   for (const Experiment& experiment : menu) {
-    EXPECT_GE(discriminator.best({experiment}).open, best.open);
+    EXPECT_GE(discriminator.best({experiment}).open, best.open - kRounding);
   }
 }
 

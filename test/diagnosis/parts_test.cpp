@@ -322,6 +322,7 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
       {{"stress_softening", {0.0, 1.0, 0.5}}, {"relaxation", {0.0, 1.0}}, {"force_offset", {1.0}}},
       {{"stress_softening", {1.0}}, {"self_heating", {1.0, 0.0}}, {"friction", {1.0}}},
       {{"stress_softening", {0.0}}, {"time_delay", {1.0}}, {"friction", {1.0}}, {"force_offset", {1.0}}}};
+  constexpr double kRounding = std::numeric_limits<float>::epsilon();  // unit effects have single precision
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const fit::Hypothesis simulated = hypothesisOf(plain, cases[i]);
     const fit::Hypothesis superposed = hypothesisOf(known, cases[i]);
@@ -330,7 +331,7 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
     const auto expected = *fitter.forces().at(simulated, parameters);
     const auto actual = *fitter.forces().at(superposed, parameters);
     for (std::size_t r = 0; r < records.size(); ++r) {
-      EXPECT_LE((actual[r] - expected[r]).cwiseAbs().maxCoeff(), 1e-9 * records[r].force_deviation) << "case " << i;
+      EXPECT_LE((actual[r] - expected[r]).cwiseAbs().maxCoeff(), kRounding * records[r].force_deviation) << "case " << i;
     }
     const fit::BlockGrams expected_grams = fitter.linearise(simulated, parameters);
     const Eigen::MatrixXd& expected_sum = expected_grams.sum;

@@ -15,18 +15,14 @@ namespace {
 constexpr std::size_t kFewestToLeaveOneOut = 3;
 constexpr int kWarmSteps = 3;  // iterations of a fit that starts from the fit to all logs
 
-template <class List>
-List without(List list, std::size_t place) {
-  list.erase(list.begin() + static_cast<std::ptrdiff_t>(place));
-  return list;
-}
-
 fit::ForceColumn without(const fit::ForceColumn& column, std::size_t log) {
-  return column ? fit::columnOf(without(*column, log)) : nullptr;
+  return column ? std::make_shared<const fit::StoredForces>(column->without(log)) : nullptr;
 }
 
 Entries fittedWithout(const hypotheses::PreparedCase& prepared, const FittedLaw& fitted, std::size_t log) {
-  const fit::Fitter fitter(without(prepared.training, log), prepared.model, prepared.fitter.oneDeviation());
+  std::vector<gap::PreparedRecord> remaining = prepared.training;
+  remaining.erase(remaining.begin() + static_cast<std::ptrdiff_t>(log));
+  const fit::Fitter fitter(std::move(remaining), prepared.model, prepared.fitter.oneDeviation());
   fit::Hypothesis hypothesis = fitted.law.hypothesis();
   hypothesis.free_in_log.by_zero = without(hypothesis.free_in_log.by_zero, log);
   hypothesis.free_in_log.by_factor = without(hypothesis.free_in_log.by_factor, log);

@@ -226,8 +226,9 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   }
   if (free.by_factor) {
     gap::Forces friction = fit::frictionOf(elements, of_the_fit);
-    const fit::ForceColumn unseen = hypotheses::frictionOfEach(elements, held_out);
-    friction.insert(friction.end(), unseen->begin(), unseen->end());
+    for (const gap::PreparedRecord& record : held_out) {
+      friction.push_back(fit::frictionOf(elements, {record}).front());
+    }
     free.by_factor = fit::columnOf(std::move(friction));
   }
   std::vector<LogAccount> accounts;
