@@ -331,7 +331,8 @@ TEST_P(KnownEffects, AreWhatSimulationGives) {
     const auto expected = *fitter.forces().at(simulated, parameters);
     const auto actual = *fitter.forces().at(superposed, parameters);
     for (std::size_t r = 0; r < records.size(); ++r) {
-      EXPECT_LE((actual[r] - expected[r]).cwiseAbs().maxCoeff(), kRounding * records[r].force_deviation) << "case " << i;
+      EXPECT_LE((actual[r] - expected[r]).cwiseAbs().maxCoeff(), kRounding * records[r].force_deviation)
+          << "case " << i;
     }
     const fit::BlockGrams expected_grams = fitter.linearise(simulated, parameters);
     const Eigen::MatrixXd& expected_sum = expected_grams.sum;
