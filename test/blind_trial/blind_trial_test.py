@@ -155,10 +155,11 @@ class FormErrorTest(unittest.TestCase):
     def test_the_base_is_off_its_ladder_and_the_file_is_not(self):
         rng = np.random.default_rng(11)
         component, z, rate, _ = small_rig()
-        off = form_error.off_ladder(rng, component, 0.1, 10.0, 0.005)
-        self.assertAlmostEqual(sum(off.extra_k), 0.1 * component.k0)
-        gap = rig.gap([a - b for a, b in zip(off.force(z, rate), component.force(z, rate))], component.force(z, rate))
-        self.assertTrue(0.005 < gap < 0.1, gap)
+        ruler = rig.Ruler(rig.Rig(component, z, rate, []), 1)
+        off = form_error.off_ladder(rng, component, ruler, 0.004)
+        difference = [a - b for a, b in zip(off.force(z, rate), component.force(z, rate))]
+        self.assertAlmostEqual(ruler.visible(difference, off.force(z, rate)), 0.004, delta=0.001)
+        self.assertLess(sum(off.extra_k), 0.5 * component.k0)
         self.assertEqual(case.element_entries(off, 0.0), case.element_entries(component, 0.0))
 
     def test_a_case_has_it_only_where_it_is_asked_for(self):

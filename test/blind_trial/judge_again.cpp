@@ -178,14 +178,15 @@ void printSlope(const std::vector<Judged>& judged) {
   }
   Eigen::Vector2d line(0.0, 1.0);
   Eigen::Matrix2d information;
-  for (int step = 0; step < 30; ++step) {
+  for (int step = 0; step < 100; ++step) {
     const Eigen::VectorXd expected = (1.0 + (-(regressors * line).array()).exp()).inverse();
     const Eigen::VectorXd variance = expected.array() * (1.0 - expected.array());
     information = regressors.transpose() * variance.asDiagonal() * regressors;
     const Eigen::VectorXd leverage =
         variance.array() * (regressors * information.inverse()).cwiseProduct(regressors).rowwise().sum().array();
     const Eigen::VectorXd score = (right - expected).array() + leverage.array() * (0.5 - expected.array());
-    line += information.ldlt().solve(regressors.transpose() * score);
+    const Eigen::Vector2d move = information.ldlt().solve(regressors.transpose() * score);
+    line += move / std::max(1.0, move.norm());
   }
   std::cout << fmt::format("\nCalibration slope: {:.2f} +- {:.2f}\n", line[1], std::sqrt(information.inverse()(1, 1)));
 }

@@ -18,8 +18,8 @@ FINE = 4              # samples of the rig's grid per sample of a log
 TRAINING, HOLD_OUT = 6, 2
 SEEN = TRAINING + HOLD_OUT  # logs that a diagnosis sees
 BANK = 11             # part of all seeds
-# For rigs with form error: RMS error of each law, probability of a mixed law, additional stiffness of the base.
-FORM_ERROR, MIXED, BASE_ERROR = (0.10, 0.30), 0.5, (0.02, 0.10)
+# For rigs with form error: RMS error of each law, probability of a mixed law, gap that re-estimation of the base leaves.
+FORM_ERROR, MIXED, BASE_ERROR = (0.10, 0.30), 0.5, (0.001, 0.01)
 
 
 NAMES = ("left_secondary", "right_secondary", "bush_1", "engine_mount", "emergency_spring", "chevron", "traction_rod",
@@ -201,13 +201,14 @@ def draw_effect(rng, scale, name, form):
 def arrange(rng, effect_names, wanted, by_visible, further, duration, form):
     """Draw component, programme and effects, and find the strengths of the effects."""
     model, specification, base, amplitude = draw_specification(rng, effect_names)
-    if form is not None:
-        base = form_error.off_ladder(form, base, form.uniform(*BASE_ERROR), 10.0, 0.005)
     z, kinds, held, programme, repeat, actuator = draw_logs(rng, amplitude, further, duration)
     rate = RATE * FINE
     if "lift_off" in effect_names:
         z = loaded_to_one_side(rng, z, amplitude, rate)
     ruler = Ruler(Rig(base, z[:SEEN], rate, []), FINE)
+    if form is not None:
+        base = form_error.off_ladder(form, base, ruler, form.uniform(*BASE_ERROR))
+        ruler = Ruler(Rig(base, z[:SEEN], rate, []), FINE)
     scale = scale_of(z, rate, specification["dynamic_stiffness"], ruler.reference, actuator.top_frequency)
     effects = [draw_effect(rng, scale, name, form) for name in effect_names]
     rig = Rig(base, z, rate, effects)

@@ -10,6 +10,7 @@ from .base import Base, maxwell_response
 
 ONE_FORM = ("inertia", "time_delay", "force_offset", "force_drift", "sensor_gain")  # these have one form on any rig
 WAVES = 5              # waves of a random function
+EXTRA_TIMES = (0.005, 10.0)  # range of the relaxation times that a model lacks [s]
 LEVEL_TIME = 2.0       # averaging time of the level of motion [s]
 
 
@@ -88,12 +89,15 @@ class OffLadder(Base):
         return rest
 
 
-def off_ladder(rng, base, size, slowest, fastest):
-    """Return the base with four more Maxwell elements, whose sum is `size` times the static stiffness.
+def off_ladder(rng, base, ruler, wanted):
+    """Return the base with four more Maxwell elements that leave the visible gap `wanted`, measured by the ruler.
 
-    Their relaxation times are drawn between `fastest` and `slowest` [s].
+    A larger gap would be the effect `relaxation`. The elements have at most half of the static stiffness.
     """
-    k = size * base.k0 * rng.dirichlet(np.ones(4))
-    tau = np.exp(rng.uniform(np.log(fastest), np.log(slowest), 4))
+    k = 0.5 * base.k0 * rng.dirichlet(np.ones(4))
+    tau = np.exp(rng.uniform(*np.log(EXTRA_TIMES), 4))
     fields = {f.name: getattr(base, f.name) for f in dataclasses.fields(Base)}
-    return OffLadder(**fields, extra_k=k.tolist(), extra_tau=tau.tolist())
+    most = OffLadder(**fields, extra_k=k.tolist(), extra_tau=tau.tolist())
+    force = most.force(ruler.rig.z, ruler.rig.rate)
+    left = ruler.visible([a - b for a, b in zip(force, ruler.reference)], force)
+    return dataclasses.replace(most, extra_k=(k * min(wanted / left, 1.0)).tolist())
