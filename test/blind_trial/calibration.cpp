@@ -23,6 +23,7 @@ using diagnosis::judge::SetPosterior;
 using diagnosis::judge::SetProbability;
 
 constexpr double kPartOfTruth = 0.2;   // credit for the answer `unknown` if a listed and an unlisted effect act
+constexpr double kMoreThanTruth = 0.5;  // credit for the right effects beside an unlisted one that does not act
 constexpr double kValuesOfNone = 0.3;  // credit for "wrong values" if the configured model is nearly right
 constexpr double kAccepted = 0.02;     // gap that an engineer accepts
 
@@ -122,7 +123,7 @@ double ofListed(const SetPosterior& posterior, const FittedCase& known) {
     if (known.truth.kind == "machine") {
       sum += fitsMachine(names, known.truth) ? set.sum() : 0.0;
     } else if (names == truth) {
-      sum += known.truth.unlisted ? set.beside : set.sum();
+      sum += known.truth.unlisted ? set.beside : set.alone + kMoreThanTruth * set.beside;
     }
   }
   return sum;

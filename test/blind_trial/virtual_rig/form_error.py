@@ -92,9 +92,9 @@ class OffLadder(Base):
 def off_ladder(rng, base, ruler, wanted):
     """Return the base with four more Maxwell elements that leave the visible gap `wanted`, measured by the ruler.
 
-    A larger gap would be the effect `relaxation`. The elements have at most half of the static stiffness.
+    A larger gap would be the effect `relaxation`. The elements have at most a tenth of the static stiffness.
     """
-    k = 0.5 * base.k0 * rng.dirichlet(np.ones(4))
+    k = 0.1 * base.k0 * rng.dirichlet(np.ones(4))
     tau = np.exp(rng.uniform(*np.log(EXTRA_TIMES), 4))
     fields = {f.name: getattr(base, f.name) for f in dataclasses.fields(Base)}
     most = OffLadder(**fields, extra_k=k.tolist(), extra_tau=tau.tolist())
