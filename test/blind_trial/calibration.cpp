@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "diagnosis/judge/set_posterior.h"
@@ -27,39 +28,71 @@ constexpr double kMoreThanTruth = 0.5;  // credit for the right effects beside a
 constexpr double kValuesOfNone = 0.3;  // credit for "wrong values" if the configured model is nearly right
 constexpr double kAccepted = 0.02;     // gap that an engineer accepts
 
-using Values = std::vector<double>;  // the rows of the table, with logarithms of positive ones
-
-Values means() {
-  Values means;
-  for (const NumberInfo& info : numberTable()) {
-    means.push_back(info.positive ? std::log(info.mean) : info.mean);
+// The parameters of the fit: the rows of the table, with logarithms of positive ones, and then the base rates.
+class Unknowns {
+ public:
+  explicit Unknowns(const std::vector<FittedCase>& cases) {
+    std::set<std::string> names;
+    for (const FittedCase& known : cases) {
+      names.insert(known.table.effects.begin(), known.table.effects.end());
+    }
+    rates_.assign(names.begin(), names.end());
   }
-  return means;
-}
 
-Values valuesOf(const JudgeNumbers& numbers) {
-  Values values;
-  for (const NumberInfo& info : numberTable()) {
-    values.push_back(info.positive ? std::log(numbers.*info.value) : numbers.*info.value);
-  }
-  return values;
-}
+  int size() const { return static_cast<int>(numberTable().size() + rates_.size()); }
 
-JudgeNumbers numbersOf(const double* values) {
-  JudgeNumbers numbers;
-  for (const NumberInfo& info : numberTable()) {
-    numbers.*info.value = info.positive ? std::exp(*values) : *values;
-    ++values;
+  std::vector<double> means() const {
+    std::vector<double> means;
+    for (const NumberInfo& info : numberTable()) {
+      means.push_back(info.positive ? std::log(info.mean) : info.mean);
+    }
+    means.resize(static_cast<std::size_t>(size()), 0.0);
+    return means;
   }
-  return numbers;
-}
+
+  std::vector<double> deviations() const {
+    std::vector<double> deviations;
+    for (const NumberInfo& info : numberTable()) {
+      deviations.push_back(info.deviation);
+    }
+    deviations.resize(static_cast<std::size_t>(size()), diagnosis::judge::kRateDeviation);
+    return deviations;
+  }
+
+  std::vector<double> valuesOf(const JudgeNumbers& numbers) const {
+    std::vector<double> values;
+    for (const NumberInfo& info : numberTable()) {
+      values.push_back(info.positive ? std::log(numbers.*info.value) : numbers.*info.value);
+    }
+    for (const std::string& effect : rates_) {
+      values.push_back(numbers.rateOf(effect));
+    }
+    return values;
+  }
+
+  JudgeNumbers numbers(const double* values) const {
+    JudgeNumbers numbers;
+    for (const NumberInfo& info : numberTable()) {
+      numbers.*info.value = info.positive ? std::exp(*values) : *values;
+      ++values;
+    }
+    for (const std::string& effect : rates_) {
+      numbers.rates[effect] = *values++;
+    }
+    return numbers;
+  }
+
+ private:
+  std::vector<std::string> rates_;
+};
 
 // Negative logarithm of the joint probability of numbers and labels.
 class Loss final : public ceres::FirstOrderFunction {
  public:
-  explicit Loss(const std::vector<FittedCase>& cases) : cases_(cases), means_(means()) {}
+  Loss(const std::vector<FittedCase>& cases, const Unknowns& unknowns)
+      : cases_(cases), unknowns_(unknowns), means_(unknowns.means()), deviations_(unknowns.deviations()) {}
 
-  int NumParameters() const override { return static_cast<int>(means_.size()); }
+  int NumParameters() const override { return unknowns_.size(); }
 
   bool Evaluate(const double* values, double* loss, double* gradient) const override {
     constexpr double kStep = 1e-5;
@@ -79,9 +112,9 @@ class Loss final : public ceres::FirstOrderFunction {
   double at(const double* values) const {
     double loss = 0.0;
     for (std::size_t i = 0; i < means_.size(); ++i) {
-      loss += 0.5 * std::pow((values[i] - means_[i]) / numberTable()[i].deviation, 2);
+      loss += 0.5 * std::pow((values[i] - means_[i]) / deviations_[i], 2);
     }
-    const JudgeNumbers numbers = numbersOf(values);
+    const JudgeNumbers numbers = unknowns_.numbers(values);
     for (const FittedCase& known : cases_) {
       loss -= std::log(probabilityOfTruth(known, numbers) + kLeastProbability);
     }
@@ -89,7 +122,9 @@ class Loss final : public ceres::FirstOrderFunction {
   }
 
   const std::vector<FittedCase>& cases_;
-  Values means_;
+  const Unknowns& unknowns_;
+  std::vector<double> means_;
+  std::vector<double> deviations_;
 };
 
 std::vector<std::string> namesOf(const SetProbability& set, const FittedCase& known) {
@@ -162,15 +197,16 @@ JudgeNumbers calibrate(const std::vector<FittedCase>& cases) {
   if (cases.empty()) {
     throw std::invalid_argument("no case with evidence; accepted: at least one");
   }
-  const ceres::GradientProblem problem(new Loss(cases));
+  const Unknowns unknowns(cases);
+  const ceres::GradientProblem problem(new Loss(cases, unknowns));
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::LBFGS;
   options.max_num_iterations = 80;
   options.function_tolerance = 1e-6;
   options.logging_type = ceres::SILENT;
   double least = HUGE_VAL;
-  Values best;
-  for (Values values : {means(), valuesOf(diagnosis::judge::fittedNumbers())}) {
+  std::vector<double> best;
+  for (std::vector<double> values : {unknowns.means(), unknowns.valuesOf(diagnosis::judge::fittedNumbers())}) {
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(options, problem, values.data(), &summary);
     if (!summary.IsSolutionUsable()) {
@@ -181,27 +217,26 @@ JudgeNumbers calibrate(const std::vector<FittedCase>& cases) {
       best = values;
     }
   }
-  return numbersOf(best.data());
+  return unknowns.numbers(best.data());
 }
 
 Certainty certaintyOf(const std::vector<FittedCase>& cases, const JudgeNumbers& numbers) {
   constexpr double kStep = 1e-2;  // of the prior standard deviation: far above the error of the gradient
-  const Loss loss(cases);
-  const std::vector<NumberInfo>& table = numberTable();
-  const auto size = static_cast<Eigen::Index>(table.size());
-  Eigen::VectorXd deviations(size);
-  std::transform(table.begin(), table.end(), deviations.begin(), [](const NumberInfo& info) { return info.deviation; });
-  const auto gradientAt = [&](const Values& values) {
-    Eigen::VectorXd gradient(size);
+  const Unknowns unknowns(cases);
+  const Loss loss(cases, unknowns);
+  const std::vector<double> prior = unknowns.deviations();
+  const Eigen::Map<const Eigen::VectorXd> deviations(prior.data(), unknowns.size());
+  const auto gradientAt = [&](const std::vector<double>& values) {
+    Eigen::VectorXd gradient(unknowns.size());
     double value = 0.0;
     loss.Evaluate(values.data(), &value, gradient.data());
     return gradient;
   };
-  const Values best = valuesOf(numbers);
-  Eigen::MatrixXd hessian(size, size);  // in units of the prior standard deviations
-  for (Eigen::Index i = 0; i < size; ++i) {
-    Values above = best;
-    Values below = best;
+  const std::vector<double> best = unknowns.valuesOf(numbers);
+  Eigen::MatrixXd hessian(unknowns.size(), unknowns.size());  // in units of the prior standard deviations
+  for (int i = 0; i < unknowns.size(); ++i) {
+    std::vector<double> above = best;
+    std::vector<double> below = best;
     above[static_cast<std::size_t>(i)] += kStep * deviations[i];
     below[static_cast<std::size_t>(i)] -= kStep * deviations[i];
     hessian.col(i) = (gradientAt(above) - gradientAt(below)).cwiseProduct(deviations) / (2.0 * kStep);
@@ -214,9 +249,11 @@ Certainty certaintyOf(const std::vector<FittedCase>& cases, const JudgeNumbers& 
   const Eigen::VectorXd errors =
       (vectors * eigenvalues.cwiseInverse().asDiagonal() * vectors.transpose()).diagonal().cwiseSqrt();
   Certainty certainty;
-  certainty.errors = errors.cwiseProduct(deviations);
+  for (std::size_t i = 0; i < numberTable().size(); ++i) {
+    certainty.errors.push_back(errors[static_cast<Eigen::Index>(i)] * prior[i]);
+  }
   certainty.known = static_cast<int>((eigenvalues.array() > 2.0).count());  // the cases add more than the prior's 1
-  certainty.directions = static_cast<int>(size);
+  certainty.directions = unknowns.size();
   return certainty;
 }
 
@@ -228,6 +265,9 @@ std::string fittedNumbersSource(const JudgeNumbers& numbers, const std::string& 
       of);
   for (const NumberInfo& info : numberTable()) {
     text += fmt::format("    fitted.{} = {:.4g};\n", info.name, numbers.*info.value);
+  }
+  for (const auto& [effect, rate] : numbers.rates) {
+    text += fmt::format("    fitted.rates[\"{}\"] = {:.3g};\n", effect, rate);
   }
   return text +
          "    return fitted;\n  }();\n  return numbers;\n}\n\n}  // namespace rubber_suspension::diagnosis::judge\n";

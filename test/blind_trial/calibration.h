@@ -1,7 +1,6 @@
 // Fits the numbers of the judgement to cases with known causes, by maximum posterior probability.
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -29,14 +28,15 @@ std::vector<FittedCase> fittedCases(const std::vector<TrialCase>& cases);
 double probabilityOfTruth(const FittedCase& known, const diagnosis::judge::JudgeNumbers& numbers);
 
 /// Maximises the probability of the labels and of the prior numbers with L-BFGS (Ceres). There are several maxima, so
-/// it starts from the prior means and from the last fitted numbers, and returns the better result.
+/// it starts from the prior means and from the last fitted numbers, and returns the better result. Base rates are those
+/// of the effects in the evidence.
 diagnosis::judge::JudgeNumbers calibrate(const std::vector<FittedCase>& cases);
 
 /// How well the cases determine the numbers, from the Hessian of the loss at its minimum.
 struct Certainty {
-  Eigen::VectorXd errors;  ///< standard errors of the rows of numberTable(), in logarithms of positive numbers
-  int known = 0;           ///< directions that the cases determine better than the prior does
-  int directions = 0;      ///< number of all directions
+  std::vector<double> errors;  ///< standard errors of the rows of numberTable(), in logarithms of positive numbers
+  int known = 0;               ///< directions that the cases determine better than the prior does
+  int directions = 0;          ///< number of all directions
 };
 
 Certainty certaintyOf(const std::vector<FittedCase>& cases, const diagnosis::judge::JudgeNumbers& numbers);

@@ -241,7 +241,7 @@ void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path) 
   const JudgeNumbers& before = diagnosis::judge::fittedNumbers();
   std::cout << "| number | fitted | standard error | fitted before | mean of the prior | its standard "
                "deviation | unit | meaning |\n|---|---|---|---|---|---|---|---|\n";
-  Eigen::Index row = 0;
+  std::size_t row = 0;
   for (const diagnosis::judge::NumberInfo& info : diagnosis::judge::numberTable()) {
     std::cout << fmt::format("| `{}` | {:.3g} | {:.2g}{} | {:.3g} | {:.3g} | {:.2g} | {} | {} |\n", info.name,
                              numbers.*info.value, certainty.errors[row++], info.positive ? " (ln)" : "",

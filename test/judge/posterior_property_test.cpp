@@ -241,7 +241,8 @@ RC_GTEST_PROP(ALawThatContainsTwo, HasThePriorOfTwo, ()) {
   evidence.contains[1] = {2, 3};  // no hypothesis has these two
   const SetPosterior posterior = posteriorOf(evidence);
   const auto& numbers = diagnosis::judge::fittedNumbers();
-  const double cost = diagnosis::judge::priorOfCount(1, numbers) - diagnosis::judge::priorOfCount(2, numbers);
+  const double cost = diagnosis::judge::priorOfCount(1, numbers) - diagnosis::judge::priorOfCount(2, numbers) -
+                      numbers.rateOf(evidence.effects[1]);
   RC_ASSERT(cost > 0.0);
   RC_ASSERT(std::abs(std::log(probabilityOf(posterior, {0}) / probabilityOf(posterior, {1})) - cost) < 1e-9 * cost);
 }

@@ -29,14 +29,17 @@ double Odds::ofError(double error) const {
 
 double Odds::of(const fit::Hypothesis& hypothesis, const Eigen::VectorXd& scales, double error) const {
   const judge::JudgeNumbers& numbers = judge::fittedNumbers();
+  double prior = 0.0;
   std::size_t mechanisms = 0;
   for (const int member : hypothesis.members) {
-    mechanisms += judge::mechanismsOf(candidates_[static_cast<std::size_t>(member)].contains.size());
+    const fit::Candidate& candidate = candidates_[static_cast<std::size_t>(member)];
+    prior += numbers.rateOf(candidate.effect);
+    mechanisms += judge::mechanismsOf(candidate.contains.size());
   }
+  prior += judge::priorOfCount(mechanisms, numbers);
   const std::size_t beyond = fit::numbersBeyond(candidates_, hypothesis, scales);
   const double factors = hypothesis.free_in_log.by_factor ? numbers.per_gain * logs_ : 0.0;
-  return ofError(error) + judge::priorOfCount(mechanisms, numbers) - factors -
-         judge::costOfNumbers(static_cast<double>(beyond), blocks_, numbers);
+  return ofError(error) + prior - factors - judge::costOfNumbers(static_cast<double>(beyond), blocks_, numbers);
 }
 
 double Odds::mostOf(std::size_t effects) const {

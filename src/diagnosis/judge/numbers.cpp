@@ -3,6 +3,11 @@
 
 namespace rubber_suspension::diagnosis::judge {
 
+double JudgeNumbers::rateOf(const std::string& name) const {
+  const auto found = rates.find(name);
+  return found == rates.end() ? 0.0 : found->second;
+}
+
 const std::vector<NumberInfo>& numberTable() {
   using N = JudgeNumbers;
   static const std::vector<NumberInfo> table = {

@@ -1,6 +1,8 @@
 // The numbers of the judgement, all of which are fitted to cases of known cause.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace rubber_suspension::diagnosis::judge {
@@ -31,6 +33,11 @@ struct JudgeNumbers {
   double share = 0.5;
   double share_spread = 0.7;
   double beyond_spread = 1.5;
+  /// for each effect: addition to the log prior that all effects have in common
+  std::map<std::string, double> rates = {};
+
+  /// Returns the entry of `rates` for an effect, or 0 if there is none.
+  double rateOf(const std::string& name) const;
 };
 
 /// Description of one number, with the prior distribution from which it is fitted.
@@ -45,6 +52,9 @@ struct NumberInfo {
 };
 
 const std::vector<NumberInfo>& numberTable();
+
+/// Standard deviation of the normal prior of each entry of `rates`. The mean of this prior is 0.
+constexpr double kRateDeviation = 0.7;
 
 /// Returns the numbers of the last fit (fitted_numbers.cpp).
 const JudgeNumbers& fittedNumbers();

@@ -132,8 +132,8 @@ std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesi
 }
 
 // Stores the sizes that laws remove in addition to the laws that they contain. Such an addition has a prior like the
-// size of an effect, because a law without it equals a contained law, but a wider one: what a small clearance changes
-// in a friction force is far less than the whole force.
+// size of an effect, because a law without it equals a contained law, but a wider one: what a small clearance changes in
+// a friction force is far less than the whole force.
 void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTable& table) {
   std::vector<double>& sizes = table.sizes_beyond.emplace_back();
   for (const int member : table.members[hypothesis]) {
@@ -152,11 +152,15 @@ double leftByValues(const ScoreTable& table) {
   return table.guess ? left[Evidence::kReEstimated] : left.minCoeff();
 }
 
-// Returns the log prior of a set: that of the number of its effects, minus the costs of parameters
+// Returns the log prior of a set: the priors of the number and the kinds of its effects, minus the costs of parameters
 // beyond contained laws and of parameters that are free in each log.
 double priorOfSet(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
+  const std::vector<int>& members = table.members[hypothesis];
   const auto row = static_cast<Index>(hypothesis);
-  const double prior = priorOfCount(table.mechanisms[hypothesis], numbers);
+  double prior = priorOfCount(table.mechanisms[hypothesis], numbers);
+  for (const int member : members) {
+    prior += numbers.rateOf(table.effects[static_cast<std::size_t>(member)]);
+  }
   const fit::PerLogNuisances& free = table.free_in_log[hypothesis];
   const auto inAllLogs = [&](bool is_free) { return is_free ? static_cast<double>(table.weight.size()) : 0.0; };
   return prior - costOfNumbers(table.beyond[row], table.blocks, numbers) - numbers.per_trend * inAllLogs(free.trend) -
@@ -171,7 +175,8 @@ double priorOfValues(const ScoreTable& table, const JudgeNumbers& numbers, std::
 
 // Returns the log prior of one gain of all logs, which is equivalent to values that are wrong by one factor.
 double priorOfReading(const ScoreTable& table, const JudgeNumbers& numbers, std::size_t hypothesis) {
-  return numbers.no_effect + numbers.common_gain +
+  const auto effect = static_cast<std::size_t>(table.members[hypothesis].front());
+  return numbers.no_effect + numbers.common_gain + numbers.rateOf(table.effects[effect]) +
          priorOfSizes(table.sizes[hypothesis], numbers.accepted, numbers.values_spread);
 }
 
