@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -23,10 +24,10 @@ using diagnosis::judge::numberTable;
 using diagnosis::judge::SetPosterior;
 using diagnosis::judge::SetProbability;
 
-constexpr double kPartOfTruth = 0.2;   // credit for the answer `unknown` if a listed and an unlisted effect act
+constexpr double kPartOfTruth = 0.2;    // credit for the answer `unknown` if a listed and an unlisted effect act
 constexpr double kMoreThanTruth = 0.5;  // credit for the right effects beside an unlisted one that does not act
-constexpr double kValuesOfNone = 0.3;  // credit for "wrong values" if the configured model is nearly right
-constexpr double kAccepted = 0.02;     // gap that an engineer accepts
+constexpr double kValuesOfNone = 0.3;   // credit for "wrong values" if the configured model is nearly right
+constexpr double kAccepted = 0.02;      // gap that an engineer accepts
 
 // The parameters of the fit: the rows of the table, with logarithms of positive ones, and then the base rates.
 class Unknowns {
@@ -127,6 +128,33 @@ class Loss final : public ceres::FirstOrderFunction {
   std::vector<double> deviations_;
 };
 
+std::size_t placeOf(const std::string& number) {
+  const std::vector<NumberInfo>& table = numberTable();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const NumberInfo& info) { return info.name == number; });
+  if (found == table.end()) {
+    throw std::invalid_argument("no number '" + number + "'; accepted: a name of the table in numbers.cpp");
+  }
+  return static_cast<std::size_t>(found - table.begin());
+}
+
+// Fits one of the last fitted numbers and keeps the others.
+JudgeNumbers withOne(const std::vector<FittedCase>& cases, const Unknowns& unknowns, std::size_t place) {
+  constexpr int kBits = 7;  // relative accuracy of Brent's method: 1 %
+  const Loss loss(cases, unknowns);
+  std::vector<double> values = unknowns.valuesOf(diagnosis::judge::fittedNumbers());
+  const auto lossAt = [&](double value) {
+    values[place] = value;
+    double at = 0.0;
+    loss.Evaluate(values.data(), &at, nullptr);
+    return at;
+  };
+  const double mean = unknowns.means()[place];
+  const double reach = 4.0 * unknowns.deviations()[place];
+  values[place] = boost::math::tools::brent_find_minima(lossAt, mean - reach, mean + reach, kBits).first;
+  return unknowns.numbers(values.data());
+}
+
 std::vector<std::string> namesOf(const SetProbability& set, const FittedCase& known) {
   std::vector<std::string> names;
   for (const int member : set.members) {
@@ -193,11 +221,14 @@ double probabilityOfTruth(const FittedCase& known, const JudgeNumbers& numbers) 
   return sum + (known.hidden ? posterior.parameter_error : 0.0);
 }
 
-JudgeNumbers calibrate(const std::vector<FittedCase>& cases) {
+JudgeNumbers calibrate(const std::vector<FittedCase>& cases, const std::string& only) {
   if (cases.empty()) {
     throw std::invalid_argument("no case with evidence; accepted: at least one");
   }
   const Unknowns unknowns(cases);
+  if (!only.empty()) {
+    return withOne(cases, unknowns, placeOf(only));
+  }
   const ceres::GradientProblem problem(new Loss(cases, unknowns));
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::LBFGS;

@@ -216,7 +216,7 @@ std::string today() {
 }
 
 // Returns two lines of a comment, such as "2026-11-26, on 60 cases" and "12 machine, 48 single".
-std::string fitInWords(const std::vector<TrialCase>& cases) {
+std::string fitInWords(const std::vector<TrialCase>& cases, const std::string& only) {
   std::map<std::string, int> kinds;
   int number = 0;
   for (const TrialCase& known : cases) {
@@ -227,13 +227,14 @@ std::string fitInWords(const std::vector<TrialCase>& cases) {
   for (const auto& [kind, count] : kinds) {
     words.push_back(fmt::format("{} {}", count, kind));
   }
-  return fmt::format("{}, on {} cases:\n// {}", today(), number, fmt::join(words, ", "));
+  return fmt::format("{}, {}on {} cases:\n// {}", today(), only.empty() ? "" : only + " alone, ", number,
+                     fmt::join(words, ", "));
 }
 
-void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path) {
-  const JudgeNumbers numbers = calibrate(fittedCases(cases));
+void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path, const std::string& only) {
+  const JudgeNumbers numbers = calibrate(fittedCases(cases), only);
   std::ofstream file(path);
-  file << fittedNumbersSource(numbers, fitInWords(cases));
+  file << fittedNumbersSource(numbers, fitInWords(cases, only));
   if (!file.flush()) {
     throw std::runtime_error(path + ": cannot be written");
   }
@@ -261,6 +262,7 @@ void printVerdicts(const std::vector<TrialCase>& cases) {
 struct Options {
   std::vector<std::string> folders;
   std::string numbers;
+  std::string only;
   int folds = 0;  // 0: use the last fitted numbers
   bool hands = false;
   bool verdicts = false;
@@ -270,6 +272,7 @@ struct Options {
     command_line::OptionTable options = {
         Option("folders", folders, "FOLDER", "folders of cases, with FOLDER_labels and FOLDER_reports beside each"),
         Option("--calibrate", numbers, "FILE", "fit the numbers of the judgement and write this source"),
+        Option("--only", only, "NUMBER", "with --calibrate: fit this number alone, and keep the others"),
         Option("--folds", folds, "NUMBER", "judge each of so many parts by numbers fitted to the others")
             .within(2, 100),
         Option("--hands", hands,
@@ -279,6 +282,7 @@ struct Options {
     options.excludes({"--folds", "--hands", "--verdicts"}, {"--calibrate"});
     options.excludes({"--folds", "--hands"}, {"--verdicts"});
     options.excludes({"--folds"}, {"--hands"});
+    options.needs({"--only"}, {"--calibrate"});
     return options;
   }
 };
@@ -311,7 +315,7 @@ std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, const O
 int run(const Options& options) {
   const std::vector<TrialCase> cases = casesOf(options);
   if (!options.numbers.empty()) {
-    writeNumbers(cases, options.numbers);
+    writeNumbers(cases, options.numbers, options.only);
   } else if (options.verdicts) {
     printVerdicts(cases);
   } else {

@@ -163,6 +163,9 @@ TEST(Diagnosis, ClosesMostOfCouplingOfRateAndAmplitudeByCouplingAlone) {
   });
   const diagnosis::Diagnosis result = diagnoseTwo(flow);
   ASSERT_FALSE(result.answer.effects.empty()) << result.sentence;
+  if (result.answer.effects == std::vector<std::string>{"rate_amplitude_coupling"}) {
+    return;
+  }
   // Friction with relaxation comes close, so the coupling may not be named. Gaps of named effects are those of the
   // written file, all others those of the full laws. So only gaps of the same kind are compared.
   const auto least = std::min_element(

@@ -41,10 +41,9 @@ const std::vector<NumberInfo>& numberTable() {
        "cost of each number that a law has in addition to the simpler law that it contains, in half logarithms of the "
        "number of blocks",
        "1", &N::per_number_beyond, true, 0.2, 0.7},
-      {"per_trend", "cost of a separate drift of the force in a log", "ln odds", &N::per_trend, false, 0.4, 0.3},
-      {"per_offset", "cost of a separate zero error of the force in a log", "ln odds", &N::per_offset, false, 0.4, 0.3},
-      {"per_gain", "cost of a separate gain, or factor on friction, in a log", "ln odds", &N::per_gain, false, 0.4,
-       0.3},
+      {"per_trend", "cost of a separate drift of the force in a log", "ln odds", &N::per_trend, true, 0.4, 0.7},
+      {"per_offset", "cost of a separate zero error of the force in a log", "ln odds", &N::per_offset, true, 0.4, 0.7},
+      {"per_gain", "cost of a separate gain, or factor on friction, in a log", "ln odds", &N::per_gain, true, 0.4, 0.7},
       {"share", "share of the gap after re-estimation below which an effect is improbable",
        "of the gap after re-estimation", &N::share, true, 0.5, 0.5},
       {"share_spread", "standard deviation of the logarithm of smaller shares", "1", &N::share_spread, true, 0.7, 0.4},
