@@ -132,8 +132,8 @@ std::vector<Index> withContained(const Evidence& evidence, std::size_t hypothesi
 }
 
 // Stores the sizes that laws remove in addition to the laws that they contain. Such an addition has a prior like the
-// size of an effect, because a law without it equals a contained law, but a wider one: what a small clearance changes in
-// a friction force is far less than the whole force.
+// size of an effect, because a law without it equals a contained law, but a wider one: what a small clearance changes
+// in a friction force is far less than the whole force.
 void fillSizesBeyond(const Evidence& evidence, std::size_t hypothesis, ScoreTable& table) {
   std::vector<double>& sizes = table.sizes_beyond.emplace_back();
   for (const int member : table.members[hypothesis]) {
