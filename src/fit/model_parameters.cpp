@@ -318,9 +318,10 @@ std::vector<std::pair<std::string, double>> ModelParameters::ratios(const Eigen:
   std::vector<std::pair<std::string, double>> result;
   const estimation::Specification& configured = configured_.specification;
   const Point point = pointAt(logarithms);
-  for (const auto& [key, value] : point.specification.values()) {
-    if (configured.has(key) && configured.at(key) != value) {
-      result.emplace_back(key, value / configured.at(key));
+  for (const auto& [key, before] : configured.values()) {
+    const double value = point.specification.has(key) ? point.specification.at(key) : sheetNumber(point, key);
+    if (value != before) {
+      result.emplace_back(key, value / before);
     }
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {

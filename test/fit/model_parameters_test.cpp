@@ -47,6 +47,30 @@ TEST(ModelParameters, GivesTheRatiosOfAComponentThatIs) {
   EXPECT_TRUE(model.ratios(Eigen::VectorXd::Zero(model.size())).empty());
 }
 
+// The fitted component states a break frequency in place of these numbers, but the data sheet is off all the same.
+TEST(ModelParameters, GiveTheRatiosOfNumbersThatTheFittedComponentDoesNotState) {
+  const auto keysMovedBy = [](estimation::Model kind, const estimation::Specification& sheet, double logarithm) {
+    const ModelParameters model(io::ComponentDescription("bush", kind, sheet), Level::specification);
+    std::set<std::string> keys;
+    for (const auto& [key, ratio] : model.ratios(Eigen::VectorXd::Constant(model.size(), logarithm))) {
+      keys.insert(key);
+    }
+    return keys;
+  };
+  estimation::Specification sheet;
+  sheet.set("static_stiffness", 1e6);
+  sheet.set("dynamic_stiffness", 1.3e6);
+  sheet.set("nominal_frequency", 5.0);
+  sheet.set("maximum_stiffness", 1.5e6);
+  EXPECT_EQ(keysMovedBy(estimation::Model::maxwell, sheet, 0.05).count("maximum_stiffness"), 1U);
+  EXPECT_THAT(keysMovedBy(estimation::Model::maxwell, sheet, 0.0), IsEmpty());
+  sheet.erase("maximum_stiffness");
+  sheet.set("break_frequency", 8.0);
+  sheet.set("relative_damping", 0.2);
+  EXPECT_EQ(keysMovedBy(estimation::Model::maxwell_dashpot, sheet, 0.05).count("relative_damping"), 1U);
+  EXPECT_THAT(keysMovedBy(estimation::Model::maxwell_dashpot, sheet, 0.0), IsEmpty());
+}
+
 // Departures are deviations from the data sheet in units of its tolerance. They are zero for the configured component.
 TEST(ModelParameters, DepartFromTheSheetInTolerances) {
   estimation::Specification sheet = multiMaxwell().specification();
