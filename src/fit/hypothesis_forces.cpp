@@ -336,7 +336,7 @@ ForceColumn HypothesisForces::knownColumn(const Place& place, std::size_t term, 
       soften(place.hypothesis, place.parameters, r, column[r]);
     }
   }
-  return columnOf(std::move(column));
+  return columnOf(column);
 }
 
 }  // namespace rubber_suspension::fit

@@ -163,7 +163,7 @@ fit::Hypothesis Discriminator::played(std::size_t explanation) const {
     if (isPlayedAlone(explanation, static_cast<Eigen::Index>(t))) {
       gap::Forces forces = played_.forces({term.at(term.typical)});
       std::for_each(forces.begin(), forces.end(), [&](Eigen::VectorXd& force) { force /= term.typical; });
-      term.unit_effect = fit::columnOf(std::move(forces));
+      term.unit_effect = fit::columnOf(forces);
     }
   });
   return hypothesis;

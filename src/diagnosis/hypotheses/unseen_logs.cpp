@@ -41,7 +41,7 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
     for (std::size_t r = 0; r < records.size(); ++r) {
       columns.push_back(fit::byZero(elements, {records[r]}).front());
     }
-    hypothesis.free_in_log.by_zero = fit::columnOf(std::move(columns));
+    hypothesis.free_in_log.by_zero = fit::columnOf(columns);
   }
   if (hypothesis.free_in_log.by_factor) {
     hypothesis.free_in_log.by_factor = frictionOfEach(elements, records);

@@ -229,7 +229,7 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
     for (const gap::PreparedRecord& record : held_out) {
       friction.push_back(fit::frictionOf(elements, {record}).front());
     }
-    free.by_factor = fit::columnOf(std::move(friction));
+    free.by_factor = fit::columnOf(friction);
   }
   std::vector<LogAccount> accounts;
   for (const auto* list : {&of_the_fit, &held_out}) {
