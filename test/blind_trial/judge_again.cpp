@@ -232,13 +232,14 @@ std::string fitInWords(const std::vector<TrialCase>& cases, const std::string& o
 }
 
 void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path, const std::string& only) {
-  const JudgeNumbers numbers = calibrate(fittedCases(cases), only);
+  const std::vector<FittedCase> fitted = fittedCases(cases);
+  const JudgeNumbers numbers = calibrate(fitted, only);
   std::ofstream file(path);
   file << fittedNumbersSource(numbers, fitInWords(cases, only));
   if (!file.flush()) {
     throw std::runtime_error(path + ": cannot be written");
   }
-  const Certainty certainty = certaintyOf(fittedCases(cases), numbers);
+  const Certainty certainty = certaintyOf(fitted, numbers);
   const JudgeNumbers& before = diagnosis::judge::fittedNumbers();
   std::cout << "| number | fitted | standard error | fitted before | mean of the prior | its standard "
                "deviation | unit | meaning |\n|---|---|---|---|---|---|---|---|\n";

@@ -44,7 +44,7 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
     hypothesis.free_in_log.by_zero = fit::columnOf(columns);
   }
   if (hypothesis.free_in_log.by_factor) {
-    hypothesis.free_in_log.by_factor = frictionOfEach(elements, records);
+    hypothesis.free_in_log.by_factor = fit::columnOf(frictionOfEach(elements, records));
   }
   UnseenErrors errors = partErrorsOf(hypothesis, records, predicted);
   for (gap::PartError& part : errors) {  // a force that is not finite explains no part of the log
@@ -53,10 +53,10 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
   return errors;
 }
 
-fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
-                                const std::vector<gap::PreparedRecord>& records) {
-  return fit::columnOf(element::each(
-      records, [&](const gap::PreparedRecord& record) { return fit::frictionOf(elements, {record}).front(); }));
+gap::Forces frictionOfEach(const std::vector<element::ElementDescription>& elements,
+                           const std::vector<gap::PreparedRecord>& records) {
+  return element::each(records,
+                       [&](const gap::PreparedRecord& record) { return fit::frictionOf(elements, {record}).front(); });
 }
 
 std::vector<gap::PartError> partErrorsOf(const fit::Hypothesis& hypothesis,

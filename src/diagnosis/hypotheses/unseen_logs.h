@@ -30,8 +30,8 @@ UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element:
                           const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records);
 
 /// Returns the friction force of a component on records, each of a new component (fit::frictionOf()).
-fit::ForceColumn frictionOfEach(const std::vector<element::ElementDescription>& elements,
-                                const std::vector<gap::PreparedRecord>& records);
+gap::Forces frictionOfEach(const std::vector<element::ElementDescription>& elements,
+                           const std::vector<gap::PreparedRecord>& records);
 
 /// Returns the errors of a hypothesis on tenths of each record (gap::partErrors()). The values of per-log nuisance
 /// parameters, which no simulation predicts, are fitted to the other tenths of the log.

@@ -296,8 +296,8 @@ class Describer {
       freed.free_in_log = in[1 + e] ? freed.free_in_log | free : freed.free_in_log;
     }
     if (free_.by_factor && has_friction) {
-      freed.free_in_log.by_factor = hasUnseenLogs() ? hypotheses::frictionOfEach(elements, records)
-                                                    : fit::columnOf(fit::frictionOf(elements, records));
+      freed.free_in_log.by_factor = fit::columnOf(hasUnseenLogs() ? hypotheses::frictionOfEach(elements, records)
+                                                                  : fit::frictionOf(elements, records));
     }
     return hypotheses::partErrorsOf(freed, records, simulated(elements));
   }

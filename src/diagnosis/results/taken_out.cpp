@@ -226,9 +226,8 @@ std::vector<LogAccount> accountsOf(const std::vector<element::ElementDescription
   }
   if (free.by_factor) {
     gap::Forces friction = fit::frictionOf(elements, of_the_fit);
-    for (const gap::PreparedRecord& record : held_out) {
-      friction.push_back(fit::frictionOf(elements, {record}).front());
-    }
+    const gap::Forces unseen = hypotheses::frictionOfEach(elements, held_out);
+    friction.insert(friction.end(), unseen.begin(), unseen.end());
     free.by_factor = fit::columnOf(friction);
   }
   std::vector<LogAccount> accounts;
