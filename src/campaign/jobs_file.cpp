@@ -260,9 +260,9 @@ class JobsReader : public io::YamlReader {
   }
 };
 
-// Returns a number between 0 and 1. Adding 0.5 avoids 0, for which the normal quantile would be infinite.
+// Returns a number between 0 and 1. Adding 0.5 avoids 0 and 1, for which the normal quantile would be infinite.
 double uniform(std::mt19937_64& generator) {
-  constexpr int kBits = 53;  // length of the significand of a double
+  constexpr int kBits = 52;  // one less than the significand of a double, so that adding 0.5 is exact
   return std::ldexp(static_cast<double>(generator() >> (64 - kBits)) + 0.5, -kBits);
 }
 

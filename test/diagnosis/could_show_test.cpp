@@ -148,7 +148,7 @@ TEST(Implants, LeaveWhatAFitLeaves) {
   for (const diagnosis::hypotheses::Implant& implant : diagnosis::hypotheses::implantAll(fitter, screening, 1)) {
     const fit::Candidate& candidate = candidates[static_cast<std::size_t>(implant.effect)];
     const fit::BasisTerm& term = candidate.terms[implant.term];
-    if (implant.hidden_by_rig || !term.additive || !term.unit_effect || implant.model.gap < 0.2) {
+    if (implant.adds_nothing || !term.additive || !term.unit_effect || implant.model.gap < 0.2) {
       continue;
     }
     std::vector<gap::PreparedRecord> with = records;

@@ -94,7 +94,7 @@ class EffectRow {
     std::map<Outcome, double> outcomes;
     std::map<int, double> in_its_place;
     for (const Implant* implant : implants_) {
-      row.visible_share = std::max(row.visible_share, implant->hidden_by_rig ? 0.0 : implant->model.gap);
+      row.visible_share = std::max(row.visible_share, implant->adds_nothing ? 0.0 : implant->model.gap);
       const Answer answer = answerTo(*implant, size);
       outcomes[outcomeOf(answer, effect_)] += share;
       (answer.effects.empty() ? row.nothing_named : row.named_as[static_cast<std::size_t>(answer.effects.front())]) +=
@@ -118,7 +118,7 @@ class EffectRow {
   }
 
   Answer answerTo(const Implant& implant, double size) const {
-    return implant.hidden_by_rig ? Answer{} : judge::answer(experiment::evidenceOf(search_, implant, size));
+    return implant.adds_nothing ? Answer{} : judge::answer(experiment::evidenceOf(search_, implant, size));
   }
 
   // Returns the effects in the listed sets, except for this effect, and kWrongValues if wrong values are an

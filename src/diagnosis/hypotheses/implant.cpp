@@ -138,8 +138,8 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
       implant.effect = static_cast<int>(c);
       implant.term = place;
       implant.blocks = screening.blocks().blocks;
-      implant.hidden_by_rig = !(gap * term.typical > kNothing);
-      implant.scale = implant.hidden_by_rig ? 0.0 : 1.0 / gap;
+      implant.adds_nothing = !(gap * term.typical > kNothing);
+      implant.scale = implant.adds_nothing ? 0.0 : 1.0 / gap;
       implants.push_back(implant);
       column_of.push_back(column);
       if (term.lower < 0.0) {
@@ -151,7 +151,7 @@ std::vector<Implant> implantAll(const fit::HypothesisFitter& fitter, const Scree
   }
   fit::parallelFor(implants.size(), threads, [&](std::size_t i) {
     Implant& implant = implants[i];
-    if (implant.hidden_by_rig) {
+    if (implant.adds_nothing) {
       return;
     }
     implant.model = alone.residualsOf(column_of[i], implant.scale, {});

@@ -25,7 +25,7 @@ struct Implant {
   int effect = 0;
   double scale = 0.0;              ///< scale of its basis term for a gap of 1
   std::size_t term = 0;            ///< index of this term among the terms of the effect
-  bool hidden_by_rig = false;      ///< the effect adds no force to these logs, even at its typical size
+  bool adds_nothing = false;       ///< the effect adds no force to these logs, even at its typical size
   std::size_t blocks = 0;          ///< number of blocks of the logs in which errors are known
   Residuals model;                 ///< residual after a refit of the model parameters alone
   std::vector<Residuals> singles;  ///< residual after a refit with each candidate, in the order of the candidates

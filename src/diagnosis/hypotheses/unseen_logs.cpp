@@ -37,11 +37,8 @@ UnseenErrors unseenErrors(const fit::ModelParameters& model, const FittedHypothe
 UnseenErrors unseenErrors(fit::Hypothesis hypothesis, const std::vector<element::ElementDescription>& elements,
                           const gap::Forces& predicted, const std::vector<gap::PreparedRecord>& records) {
   if (hypothesis.free_in_log.by_zero) {
-    gap::Forces columns;
-    for (std::size_t r = 0; r < records.size(); ++r) {
-      columns.push_back(fit::byZero(elements, {records[r]}).front());
-    }
-    hypothesis.free_in_log.by_zero = fit::columnOf(columns);
+    hypothesis.free_in_log.by_zero = fit::columnOf(element::each(
+        records, [&](const gap::PreparedRecord& record) { return fit::byZero(elements, {record}).front(); }));
   }
   if (hypothesis.free_in_log.by_factor) {
     hypothesis.free_in_log.by_factor = fit::columnOf(frictionOfEach(elements, records));
