@@ -165,9 +165,13 @@ std::vector<JudgeNumbers> numbersOfOthers(const std::vector<TrialCase>& cases, c
 }
 
 // Prints the slope of a logistic regression of right verdicts on the log odds of stated probabilities: 1 if these are
-// true, and less if they are too certain. A prior of Jeffreys keeps it finite if all verdicts are right.
-void printSlope(const std::vector<Judged>& judged) {
+// true, and less if they are too certain. Cases without evidence have none. A prior of Jeffreys keeps it finite if all
+// verdicts are right.
+void printSlope(const std::vector<Judged>& all) {
   constexpr double kNearCertain = 1e-3;  // closer to 0 or 1, a stated probability counts as this
+  std::vector<Judged> judged;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(judged),
+               [](const Judged& one) { return one.known->evidence.has_value(); });
   Eigen::MatrixX2d regressors(static_cast<Eigen::Index>(judged.size()), 2);
   Eigen::VectorXd right(regressors.rows());
   for (Eigen::Index i = 0; i < regressors.rows(); ++i) {
