@@ -58,6 +58,8 @@ struct Candidate {
   std::vector<BasisTerm> terms;
   /// Effects that are limiting cases of the law. A hypothesis also has the terms of one of them.
   std::vector<std::string> contains = {};
+  /// Number of nonzero terms of the law that was fitted alone; 0 before this fit.
+  std::size_t numbers_alone = 0;
   /// Number of terms that one law needs; each further nonzero term counts as a parameter. 0 if any number is one law.
   std::size_t terms_of_one = 0;
   PerLogNuisances free_in_log = {};  ///< nuisance parameters that are fitted with the candidate
@@ -140,8 +142,9 @@ std::vector<int> containedBy(const std::vector<Candidate>& candidates, const Can
 /// Returns true if each candidate of `smaller` is in `larger` or is contained by a candidate in it.
 bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller);
 
-/// Returns the number of parameters beyond the contained laws, or beyond one law per candidate: own terms with nonzero
-/// scales (at least one for a candidate that contains a law), and one for each curve.
+/// Returns the number of parameters beyond the contained laws, or beyond one law per candidate. A law that contains
+/// another counts for the nonzero terms that it has in addition to Candidate::numbers_alone of the contained law, but at
+/// least for one, because its own terms may replace those of the contained law. Each curve is a parameter, too.
 std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
                           const Eigen::VectorXd& scales);
 

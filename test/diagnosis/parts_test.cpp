@@ -240,7 +240,7 @@ TEST(Candidates, LiftOffNeedsForcesOfOneSign) {
 
 // A candidate that contains others has their basis terms once each. It counts as more mechanisms than they do.
 TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
-  const std::vector<fit::Candidate> all = diagnosis::candidates(fit::summarise({log::makeRecord(noisyLog(0.0))}));
+  std::vector<fit::Candidate> all = diagnosis::candidates(fit::summarise({log::makeRecord(noisyLog(0.0))}));
   const auto placeOf = [&](const std::string& effect) {
     return static_cast<int>(std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.effect == effect; }) -
                             all.begin());
@@ -291,6 +291,10 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   EXPECT_EQ(beyond(stop, {{stop, 7}}), 3U) << "a curve without a knee";
   EXPECT_EQ(beyond(backlash, {{friction, 5}}), 1U) << "the clearance";
   EXPECT_EQ(beyond(backlash, {{friction, 5}, {backlash, 2}}), 3U);
+  all[static_cast<std::size_t>(friction)].numbers_alone = 5;
+  EXPECT_EQ(beyond(backlash, {{backlash, 5}}), 1U) << "sliders behind the clearance replace those of friction alone";
+  EXPECT_EQ(beyond(backlash, {{friction, 3}, {backlash, 4}}), 3U);
+  EXPECT_EQ(beyond(backlash, {{backlash, 2}}), 1U) << "no simpler than friction";
   EXPECT_EQ(beyond(coupling, {{relaxation, 4}}), 1U) << "at its limit it is not free";
   EXPECT_EQ(beyond(coupling, {{relaxation, 4}, {coupling, 2}}), 2U);
 }

@@ -105,6 +105,7 @@ class Searcher {
     settle(result_.singles);
     settle(result_.pairs);
     settle(result_.triples);
+    countNumbers();
   }
 
  private:
@@ -145,7 +146,16 @@ class Searcher {
                           [&](const Screened& screened) { return !singleOf(screened).hypothesis.isAdditive(); });
     fitSingles(screening, {others, order.end()});
     settle(result_.singles);
+    countNumbers();
     estimateNoise();
+  }
+
+  // Counts the numbers of laws alone, to which those of a law that contains them are compared.
+  void countNumbers() const {
+    for (const FittedHypothesis& single : result_.singles) {
+      result_.candidates[static_cast<std::size_t>(single.hypothesis.members.front())].numbers_alone =
+          static_cast<std::size_t>((single.fit.parameters.scales.array() != 0.0).count());
+    }
   }
 
   void fitSingles(const Screening& screening, const std::vector<Screened>& some) {
