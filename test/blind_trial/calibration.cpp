@@ -7,10 +7,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "diagnosis/judge/set_posterior.h"
 
@@ -60,6 +60,21 @@ class Unknowns {
     return deviations;
   }
 
+  // Returns for each parameter whether it is fitted: all of them if `only` is empty.
+  std::vector<bool> areFitted(const std::vector<std::string>& only) const {
+    std::vector<bool> fitted(static_cast<std::size_t>(size()), only.empty());
+    for (const std::string& number : only) {
+      const std::vector<NumberInfo>& table = numberTable();
+      const auto found =
+          std::find_if(table.begin(), table.end(), [&](const NumberInfo& info) { return info.name == number; });
+      if (found == table.end()) {
+        throw std::invalid_argument("no number '" + number + "'; accepted: a name of the table in numbers.cpp");
+      }
+      fitted[static_cast<std::size_t>(found - table.begin())] = true;
+    }
+    return fitted;
+  }
+
   std::vector<double> valuesOf(const JudgeNumbers& numbers) const {
     std::vector<double> values;
     for (const NumberInfo& info : numberTable()) {
@@ -90,8 +105,12 @@ class Unknowns {
 // Negative logarithm of the joint probability of numbers and labels.
 class Loss final : public ceres::FirstOrderFunction {
  public:
-  Loss(const std::vector<FittedCase>& cases, const Unknowns& unknowns)
-      : cases_(cases), unknowns_(unknowns), means_(unknowns.means()), deviations_(unknowns.deviations()) {}
+  Loss(const std::vector<FittedCase>& cases, const Unknowns& unknowns, std::vector<bool> fitted)
+      : cases_(cases),
+        unknowns_(unknowns),
+        fitted_(std::move(fitted)),
+        means_(unknowns.means()),
+        deviations_(unknowns.deviations()) {}
 
   int NumParameters() const override { return unknowns_.size(); }
 
@@ -102,7 +121,7 @@ class Loss final : public ceres::FirstOrderFunction {
       std::vector<double> moved(values, values + NumParameters());
       for (std::size_t i = 0; i < moved.size(); ++i) {
         moved[i] = values[i] + kStep;
-        gradient[i] = (at(moved.data()) - *loss) / kStep;
+        gradient[i] = fitted_[i] ? (at(moved.data()) - *loss) / kStep : 0.0;
         moved[i] = values[i];
       }
     }
@@ -124,36 +143,10 @@ class Loss final : public ceres::FirstOrderFunction {
 
   const std::vector<FittedCase>& cases_;
   const Unknowns& unknowns_;
+  std::vector<bool> fitted_;
   std::vector<double> means_;
   std::vector<double> deviations_;
 };
-
-std::size_t placeOf(const std::string& number) {
-  const std::vector<NumberInfo>& table = numberTable();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const NumberInfo& info) { return info.name == number; });
-  if (found == table.end()) {
-    throw std::invalid_argument("no number '" + number + "'; accepted: a name of the table in numbers.cpp");
-  }
-  return static_cast<std::size_t>(found - table.begin());
-}
-
-// Fits one of the last fitted numbers and keeps the others.
-JudgeNumbers withOne(const std::vector<FittedCase>& cases, const Unknowns& unknowns, std::size_t place) {
-  constexpr int kBits = 7;  // relative accuracy of Brent's method: 1 %
-  const Loss loss(cases, unknowns);
-  std::vector<double> values = unknowns.valuesOf(diagnosis::judge::fittedNumbers());
-  const auto lossAt = [&](double value) {
-    values[place] = value;
-    double at = 0.0;
-    loss.Evaluate(values.data(), &at, nullptr);
-    return at;
-  };
-  const double mean = unknowns.means()[place];
-  const double reach = 4.0 * unknowns.deviations()[place];
-  values[place] = boost::math::tools::brent_find_minima(lossAt, mean - reach, mean + reach, kBits).first;
-  return unknowns.numbers(values.data());
-}
 
 std::vector<std::string> namesOf(const SetProbability& set, const FittedCase& known) {
   std::vector<std::string> names;
@@ -221,15 +214,14 @@ double probabilityOfTruth(const FittedCase& known, const JudgeNumbers& numbers) 
   return sum + (known.hidden ? posterior.parameter_error : 0.0);
 }
 
-JudgeNumbers calibrate(const std::vector<FittedCase>& cases, const std::string& only) {
+JudgeNumbers calibrate(const std::vector<FittedCase>& cases, const std::vector<std::string>& only) {
   if (cases.empty()) {
     throw std::invalid_argument("no case with evidence; accepted: at least one");
   }
   const Unknowns unknowns(cases);
-  if (!only.empty()) {
-    return withOne(cases, unknowns, placeOf(only));
-  }
-  const ceres::GradientProblem problem(new Loss(cases, unknowns));
+  const std::vector<bool> fitted = unknowns.areFitted(only);
+  const std::vector<double> last = unknowns.valuesOf(diagnosis::judge::fittedNumbers());
+  const ceres::GradientProblem problem(new Loss(cases, unknowns, fitted));
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::LBFGS;
   options.max_num_iterations = 80;
@@ -237,7 +229,10 @@ JudgeNumbers calibrate(const std::vector<FittedCase>& cases, const std::string& 
   options.logging_type = ceres::SILENT;
   double least = HUGE_VAL;
   std::vector<double> best;
-  for (std::vector<double> values : {unknowns.means(), unknowns.valuesOf(diagnosis::judge::fittedNumbers())}) {
+  for (std::vector<double> values : {unknowns.means(), last}) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = fitted[i] ? values[i] : last[i];
+    }
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(options, problem, values.data(), &summary);
     if (!summary.IsSolutionUsable()) {
@@ -254,7 +249,7 @@ JudgeNumbers calibrate(const std::vector<FittedCase>& cases, const std::string& 
 Certainty certaintyOf(const std::vector<FittedCase>& cases, const JudgeNumbers& numbers) {
   constexpr double kStep = 1e-2;  // of the prior standard deviation: far above the error of the gradient
   const Unknowns unknowns(cases);
-  const Loss loss(cases, unknowns);
+  const Loss loss(cases, unknowns, unknowns.areFitted({}));
   const std::vector<double> prior = unknowns.deviations();
   const Eigen::Map<const Eigen::VectorXd> deviations(prior.data(), unknowns.size());
   const auto gradientAt = [&](const std::vector<double>& values) {

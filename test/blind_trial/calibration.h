@@ -29,9 +29,10 @@ double probabilityOfTruth(const FittedCase& known, const diagnosis::judge::Judge
 
 /// Maximises the probability of the labels and of the prior numbers with L-BFGS (Ceres). There are several maxima, so
 /// it starts from the prior means and from the last fitted numbers, and returns the better result. Base rates are those
-/// of the effects in the evidence. If `only` is not empty, only the number of this name is fitted, with a relative
-/// accuracy of 1 %, and the others stay as fitted last.
-diagnosis::judge::JudgeNumbers calibrate(const std::vector<FittedCase>& cases, const std::string& only = "");
+/// of the effects in the evidence. If `only` is not empty, only the numbers of these names are fitted, and the others
+/// stay as fitted last. Throws std::invalid_argument without cases, or for a name that is not in numberTable().
+diagnosis::judge::JudgeNumbers calibrate(const std::vector<FittedCase>& cases,
+                                         const std::vector<std::string>& only = {});
 
 /// How well the cases determine the numbers, from the Hessian of the loss at its minimum.
 struct Certainty {

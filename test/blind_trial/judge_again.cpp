@@ -146,7 +146,8 @@ double meanLogarithmOfTruth(const std::vector<TrialCase>& cases, const std::vect
 }
 
 // Returns the numbers for each case: those fitted to the cases of all other parts.
-std::vector<JudgeNumbers> numbersOfOthers(const std::vector<TrialCase>& cases, const std::vector<std::string>& parts) {
+std::vector<JudgeNumbers> numbersOfOthers(const std::vector<TrialCase>& cases, const std::vector<std::string>& parts,
+                                          const std::vector<std::string>& only) {
   std::vector<JudgeNumbers> numbers(cases.size());
   for (const std::string& part : std::set<std::string>(parts.begin(), parts.end())) {
     std::vector<TrialCase> others;
@@ -156,7 +157,7 @@ std::vector<JudgeNumbers> numbersOfOthers(const std::vector<TrialCase>& cases, c
       }
     }
     std::cerr << fmt::format("judge_again: fitting without {}\n", part);
-    const JudgeNumbers fitted = calibrate(fittedCases(others));
+    const JudgeNumbers fitted = calibrate(fittedCases(others), only);
     for (std::size_t i = 0; i < cases.size(); ++i) {
       numbers[i] = parts[i] == part ? fitted : numbers[i];
     }
@@ -220,7 +221,7 @@ std::string today() {
 }
 
 // Returns two lines of a comment, such as "2026-11-26, on 60 cases" and "12 machine, 48 single".
-std::string fitInWords(const std::vector<TrialCase>& cases, const std::string& only) {
+std::string fitInWords(const std::vector<TrialCase>& cases, const std::vector<std::string>& only) {
   std::map<std::string, int> kinds;
   int number = 0;
   for (const TrialCase& known : cases) {
@@ -231,11 +232,11 @@ std::string fitInWords(const std::vector<TrialCase>& cases, const std::string& o
   for (const auto& [kind, count] : kinds) {
     words.push_back(fmt::format("{} {}", count, kind));
   }
-  return fmt::format("{}, {}on {} cases:\n// {}", today(), only.empty() ? "" : only + " alone, ", number,
-                     fmt::join(words, ", "));
+  const std::string alone = only.empty() ? "" : fmt::format("{} alone, ", fmt::join(only, ", "));
+  return fmt::format("{}, {}on {} cases:\n// {}", today(), alone, number, fmt::join(words, ", "));
 }
 
-void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path, const std::string& only) {
+void writeNumbers(const std::vector<TrialCase>& cases, const std::string& path, const std::vector<std::string>& only) {
   const std::vector<FittedCase> fitted = fittedCases(cases);
   const JudgeNumbers numbers = calibrate(fitted, only);
   std::ofstream file(path);
@@ -267,7 +268,7 @@ void printVerdicts(const std::vector<TrialCase>& cases) {
 struct Options {
   std::vector<std::string> folders;
   std::string numbers;
-  std::string only;
+  std::vector<std::string> only;
   int folds = 0;  // 0: use the last fitted numbers
   bool hands = false;
   bool verdicts = false;
@@ -277,7 +278,7 @@ struct Options {
     command_line::OptionTable options = {
         Option("folders", folders, "FOLDER", "folders of cases, with FOLDER_labels and FOLDER_reports beside each"),
         Option("--calibrate", numbers, "FILE", "fit the numbers of the judgement and write this source"),
-        Option("--only", only, "NUMBER", "with --calibrate: fit this number alone, and keep the others"),
+        Option("--only", only, "NUMBER", "fit these numbers alone, and keep the others"),
         Option("--folds", folds, "NUMBER", "judge each of so many parts by numbers fitted to the others")
             .within(2, 100),
         Option("--hands", hands,
@@ -287,7 +288,7 @@ struct Options {
     options.excludes({"--folds", "--hands", "--verdicts"}, {"--calibrate"});
     options.excludes({"--folds", "--hands"}, {"--verdicts"});
     options.excludes({"--folds"}, {"--hands"});
-    options.needs({"--only"}, {"--calibrate"});
+    options.excludes({"--only"}, {"--verdicts"});
     return options;
   }
 };
@@ -314,7 +315,7 @@ std::vector<JudgeNumbers> numbersOf(const std::vector<TrialCase>& cases, const O
     parts.push_back(options.hands ? cases[i].hand
                                   : fmt::format("part {}", i % static_cast<std::size_t>(options.folds) + 1));
   }
-  return numbersOfOthers(cases, parts);
+  return numbersOfOthers(cases, parts, options.only);
 }
 
 int run(const Options& options) {
