@@ -143,8 +143,8 @@ std::vector<int> containedBy(const std::vector<Candidate>& candidates, const Can
 bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& larger, const std::vector<int>& smaller);
 
 /// Returns the number of parameters beyond the contained laws, or beyond one law per candidate. A law that contains
-/// another counts for the nonzero terms that it has in addition to Candidate::numbers_alone of the contained law, but at
-/// least for one, because its own terms may replace those of the contained law. Each curve is a parameter, too.
+/// another counts for the nonzero terms that it has in addition to Candidate::numbers_alone of the contained law, but
+/// at least for one, because its own terms may replace those of the contained law. Each curve is a parameter, too.
 std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
                           const Eigen::VectorXd& scales);
 
