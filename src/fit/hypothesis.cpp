@@ -155,21 +155,6 @@ bool holds(const std::vector<Candidate>& candidates, const std::vector<int>& lar
   return found;
 }
 
-namespace {
-
-// Returns the number of nonzero terms that the law contained by a candidate needs alone, if the hypothesis holds it.
-std::size_t numbersContained(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
-                             const Candidate& candidate) {
-  for (const int held : hypothesis.held) {
-    if (contains(candidate, candidates[static_cast<std::size_t>(held)])) {
-      return candidates[static_cast<std::size_t>(held)].numbers_alone;
-    }
-  }
-  return 0;
-}
-
-}  // namespace
-
 std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypothesis& hypothesis,
                           const Eigen::VectorXd& scales) {
   std::size_t numbers = hypothesis.curved.size();
@@ -177,16 +162,19 @@ std::size_t numbersBeyond(const std::vector<Candidate>& candidates, const Hypoth
   for (std::size_t m = 0; m < hypothesis.members.size(); ++m) {
     const Candidate& candidate = candidates[static_cast<std::size_t>(hypothesis.members[m])];
     std::size_t own = candidate.terms_at ? 1 : 0;
-    std::size_t held = 0;
+    std::size_t contained = 0;
+    std::size_t alone = 0;  // numbers of the contained law that was fitted alone
     for (std::size_t t = first; t < first + hypothesis.counts[m]; ++t) {
-      const bool is_own = hypothesis.places[t].candidate == hypothesis.members[m];
-      (is_own ? own : held) += scales[static_cast<Eigen::Index>(t)] != 0.0;
+      const int of = hypothesis.places[t].candidate;
+      const bool is_own = of == hypothesis.members[m];
+      (is_own ? own : contained) += scales[static_cast<Eigen::Index>(t)] != 0.0;
+      alone = is_own ? alone : candidates[static_cast<std::size_t>(of)].numbers_alone;
     }
     if (candidate.contains.empty()) {
       numbers += candidate.terms_of_one > 0 ? std::max(own, candidate.terms_of_one) - candidate.terms_of_one : 0;
     } else {
-      const std::size_t replaced = std::max(held, numbersContained(candidates, hypothesis, candidate));
-      numbers += std::max(own + held, replaced + 1) - replaced;
+      const std::size_t replaced = std::max(contained, alone);
+      numbers += std::max(own + contained, replaced + 1) - replaced;
     }
     first += hypothesis.counts[m];
   }

@@ -278,7 +278,7 @@ struct Options {
     command_line::OptionTable options = {
         Option("folders", folders, "FOLDER", "folders of cases, with FOLDER_labels and FOLDER_reports beside each"),
         Option("--calibrate", numbers, "FILE", "fit the numbers of the judgement and write this source"),
-        Option("--only", only, "NUMBER", "fit these numbers alone, and keep the others"),
+        Option("--only", only, "NUMBER", "fit these numbers alone, and keep the others; give them after the folders"),
         Option("--folds", folds, "NUMBER", "judge each of so many parts by numbers fitted to the others")
             .within(2, 100),
         Option("--hands", hands,
@@ -288,7 +288,7 @@ struct Options {
     options.excludes({"--folds", "--hands", "--verdicts"}, {"--calibrate"});
     options.excludes({"--folds", "--hands"}, {"--verdicts"});
     options.excludes({"--folds"}, {"--hands"});
-    options.excludes({"--only"}, {"--verdicts"});
+    options.needs({"--only"}, {"--calibrate", "--folds", "--hands"});
     return options;
   }
 };

@@ -295,6 +295,14 @@ TEST(Candidates, HoldTheTermsOfWhatTheyContain) {
   EXPECT_EQ(beyond(backlash, {{backlash, 5}}), 1U) << "sliders behind the clearance replace those of friction alone";
   EXPECT_EQ(beyond(backlash, {{friction, 3}, {backlash, 4}}), 3U);
   EXPECT_EQ(beyond(backlash, {{backlash, 2}}), 1U) << "no simpler than friction";
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(both.terms.size()));
+  Eigen::VectorXd relaxing = none;
+  relaxing.tail(static_cast<Eigen::Index>(termsOf(relaxation))).head(3).setOnes();
+  ASSERT_EQ(both.places.back().candidate, relaxation);
+  EXPECT_EQ(fit::numbersBeyond(all, both, none), 2U) << "the clearance and the coupling";
+  EXPECT_EQ(fit::numbersBeyond(all, both, relaxing), 2U) << "friction belongs to the backlash, not to the coupling";
+  relaxing.segment(static_cast<Eigen::Index>(both.counts[0]), 2).setOnes();
+  EXPECT_EQ(fit::numbersBeyond(all, both, relaxing), 3U) << "two numbers of the coupling beyond relaxation";
   EXPECT_EQ(beyond(coupling, {{relaxation, 4}}), 1U) << "at its limit it is not free";
   EXPECT_EQ(beyond(coupling, {{relaxation, 4}, {coupling, 2}}), 2U);
 }
